@@ -1,0 +1,3 @@
+"""Simulation of muon radiography and tomography of large structures."""
+
+__version__ = "0.1.0"

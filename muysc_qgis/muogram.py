@@ -1,0 +1,217 @@
+"""The muogram: one quantity seen from one place, and its GeoTIFF form."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from . import __version__
+from .errors import MuyscError
+from .quantities import QUANTITIES, Quantity
+
+#: GDAL metadata domain of everything a later step needs to know.
+DOMAIN = "MUYSC"
+
+#: Largest relative unevenness of the direction axes that a raster can carry.
+_AXIS_TOLERANCE = 1e-6
+
+
+@dataclass(frozen=True)
+class Muogram:
+    """Values of one quantity on a regular grid of ray directions.
+
+    Parameters
+    ----------
+    quantity
+        Key of `QUANTITIES`.
+    values
+        (n_elevation, n_azimuth), in the quantity's unit; NaN where unknown.
+    azimuth_deg
+        (n_azimuth,) increasing, clockwise from true north, continuous across
+        north (350…370 or −10…10).
+    elevation_deg
+        (n_elevation,) decreasing, above the horizontal.
+    metadata
+        Everything else a later step needs, by the key it has in the raster:
+        ``DETECTOR_LON``, ``DETECTOR_LAT`` (WGS 84 degrees),
+        ``DETECTOR_ELEVATION`` (m), ``BORESIGHT_AZIMUTH``,
+        ``BORESIGHT_ELEVATION`` (degrees), ``DENSITY`` (g/cm³), ``FLUX_MODEL``,
+        ``ENERGY_LOSS`` and more.
+
+    Raises
+    ------
+    MuyscError
+        If the quantity is unknown or the shapes do not fit.
+    """
+
+    quantity: str
+    values: np.ndarray
+    azimuth_deg: np.ndarray
+    elevation_deg: np.ndarray
+    metadata: Mapping[str, str | float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.quantity not in QUANTITIES:
+            raise MuyscError(
+                f"“{self.quantity}” is not a quantity of a muogram; use one of "
+                f"{', '.join(QUANTITIES)}."
+            )
+        shape = (len(self.elevation_deg), len(self.azimuth_deg))
+        if self.values.shape != shape:
+            raise MuyscError(
+                f"The muogram has {self.values.shape} values for {shape} directions "
+                "(elevations, azimuths); give one value for each direction."
+            )
+
+    @property
+    def kind(self) -> Quantity:
+        """Title, unit and colours of the quantity."""
+        return QUANTITIES[self.quantity]
+
+    def number(self, key: str) -> float:
+        """Return a metadata entry as a number.
+
+        Raises
+        ------
+        MuyscError
+            If the entry is missing or no number.
+        """
+        try:
+            return float(self.metadata[key])
+        except KeyError:
+            raise MuyscError(
+                f"The {self.quantity} muogram lacks the metadata key {key} (domain "
+                f"{DOMAIN}); make it with a MUYSC algorithm or set the key."
+            ) from None
+        except ValueError:
+            raise MuyscError(
+                f"The metadata key {key} of the {self.quantity} muogram is "
+                f"“{self.metadata[key]}”, which is not a number; set it to one."
+            ) from None
+
+    def with_values(self, quantity: str, values: np.ndarray, **metadata: str | float) -> Muogram:
+        """Return another quantity on the same directions, `metadata` added."""
+        return replace(
+            self, quantity=quantity, values=values, metadata={**self.metadata, **metadata}
+        )
+
+
+def _step(axis: np.ndarray, name: str) -> float:
+    """Return the spacing of an evenly spaced axis, which may hold one value."""
+    if len(axis) == 1:
+        return 1.0
+    step = (axis[-1] - axis[0]) / (len(axis) - 1)
+    if np.any(np.abs(np.diff(axis) - step) > _AXIS_TOLERANCE * abs(step) * len(axis)):
+        raise MuyscError(
+            f"The {name} axis of a muogram raster must be evenly spaced; "
+            "resample the muogram to a regular grid."
+        )
+    return float(step)
+
+
+def write_muogram(muogram: Muogram, path: str | Path) -> None:
+    """Write a muogram as a self-describing single-band GeoTIFF.
+
+    x is the azimuth and y the elevation in degrees, pixel centres on the ray
+    directions, top row highest; Float32, DEFLATE, no-data NaN.
+
+    Raises
+    ------
+    MuyscError
+        If the directions are not evenly spaced or the file cannot be written.
+    """
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    azimuth_step = _step(muogram.azimuth_deg, "azimuth")
+    elevation_step = _step(muogram.elevation_deg, "elevation")
+    if len(muogram.elevation_deg) == 1:
+        elevation_step = -1.0
+    rows, columns = muogram.values.shape
+    try:
+        dataset = gdal.GetDriverByName("GTiff").Create(
+            str(path), columns, rows, 1, gdal.GDT_Float32,
+            ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "BIGTIFF=IF_SAFER"],
+        )  # fmt: skip
+        dataset.SetGeoTransform((
+            muogram.azimuth_deg[0] - azimuth_step / 2, azimuth_step, 0.0,
+            muogram.elevation_deg[0] - elevation_step / 2, 0.0, elevation_step,
+        ))  # fmt: skip
+        entries = {
+            "QUANTITY": muogram.quantity,
+            "UNIT": muogram.kind.unit,
+            "VERSION": __version__,
+            **{key: _text(value) for key, value in muogram.metadata.items()},
+        }
+        dataset.SetMetadata(entries, DOMAIN)
+        band = dataset.GetRasterBand(1)
+        band.SetNoDataValue(float("nan"))
+        band.SetDescription(muogram.kind.label)
+        band.SetUnitType(muogram.kind.unit)
+        band.WriteArray(muogram.values.astype(np.float32))
+        band.FlushCache()
+        dataset.FlushCache()
+        del band, dataset
+    except RuntimeError as error:
+        raise MuyscError(f"The raster {path} cannot be written: {error}.") from error
+
+
+def _text(value: str | float) -> str:
+    """Return a metadata value as text that reads back to the same number."""
+    return value if isinstance(value, str) else repr(float(value))
+
+
+def read_muogram(path: str | Path) -> Muogram:
+    """Read a muogram raster.
+
+    Raises
+    ------
+    MuyscError
+        If the file is not a raster, holds more than one band, is rotated, or
+        lacks the metadata that says what it holds.
+    """
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    try:
+        dataset = gdal.Open(str(path))
+    except RuntimeError as error:
+        raise MuyscError(f"The muogram {path} cannot be opened: {error}.") from error
+    metadata = dict(dataset.GetMetadata(DOMAIN))
+    quantity = metadata.pop("QUANTITY", None)
+    metadata.pop("UNIT", None)
+    metadata.pop("VERSION", None)
+    if quantity is None:
+        raise MuyscError(
+            f"{path} lacks the metadata key QUANTITY (domain {DOMAIN}), so it is no "
+            "muogram; choose a raster made by a MUYSC algorithm."
+        )
+    if dataset.RasterCount != 1:
+        raise MuyscError(
+            f"{path} has {dataset.RasterCount} bands where a muogram has 1; "
+            "choose a raster made by a MUYSC algorithm."
+        )
+    left, azimuth_step, skew_x, top, skew_y, elevation_step = dataset.GetGeoTransform()
+    if skew_x or skew_y or azimuth_step <= 0 or elevation_step >= 0:
+        raise MuyscError(
+            f"{path} is rotated or upside down (geotransform {dataset.GetGeoTransform()}); "
+            "a muogram has azimuth to the right and elevation upwards."
+        )
+    band = dataset.GetRasterBand(1)
+    try:
+        values = band.ReadAsArray().astype(float)
+    except RuntimeError as error:
+        raise MuyscError(f"The muogram {path} cannot be read: {error}.") from error
+    no_data = band.GetNoDataValue()
+    if no_data is not None and not np.isnan(no_data):
+        values[values == no_data] = np.nan
+    return Muogram(
+        quantity,
+        values,
+        left + azimuth_step * (np.arange(dataset.RasterXSize) + 0.5),
+        top + elevation_step * (np.arange(dataset.RasterYSize) + 0.5),
+        metadata,
+    )

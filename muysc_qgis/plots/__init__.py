@@ -1,0 +1,1 @@
+"""Figures and the report, drawn with matplotlib without a display."""

@@ -1,0 +1,66 @@
+"""The quantities a muogram can hold: names, units and how each is coloured.
+
+Rasters, map styles, panels and reports all read this one table, so that a
+quantity has the same title, unit and colours wherever it appears.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+#: Nine evenly spaced stops of perceptually uniform, colour-blind-safe maps
+#: (van der Walt & Smith 2015, CC0; cividis: Nuñez et al. 2018,
+#: doi:10.1371/journal.pone.0199239).
+COLOUR_STOPS = {
+    "viridis": (
+        "#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c",
+        "#28ae80", "#5ec962", "#addc30", "#fde725",
+    ),
+    "cividis": (
+        "#00224e", "#1a386f", "#434e6c", "#61656f", "#7d7c78",
+        "#9b9476", "#bcae6c", "#dec958", "#fee838",
+    ),
+    "magma": (
+        "#000004", "#1d1147", "#51127c", "#832681", "#b73779",
+        "#e75263", "#fc8961", "#fec488", "#fcfdbf",
+    ),
+    "plasma": (
+        "#0d0887", "#4c02a1", "#7e03a8", "#aa2395", "#cc4778",
+        "#e66c5c", "#f89540", "#fdc527", "#f0f921",
+    ),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One physical quantity of a muogram."""
+
+    name: str
+    title: str
+    unit: str
+    #: Key of `COLOUR_STOPS`.
+    colours: str
+    #: Whether colours follow the logarithm of the value.
+    logarithmic: bool
+
+    @property
+    def label(self) -> str:
+        """Title with unit, for axes, legends and band descriptions."""
+        return self.title if self.unit == "1" else f"{self.title} ({self.unit})"
+
+
+QUANTITIES = {
+    quantity.name: quantity
+    for quantity in (
+        Quantity("thickness", "Rock thickness", "m", "viridis", True),
+        Quantity("opacity", "Opacity", "g/cm²", "viridis", True),
+        Quantity("minimum_energy", "Minimum muon energy", "GeV", "cividis", True),
+        Quantity("flux", "Muon flux", "cm⁻² sr⁻¹ day⁻¹", "magma", True),
+        Quantity("open_sky", "Open-sky muon flux", "cm⁻² sr⁻¹ day⁻¹", "magma", True),
+        Quantity("transmission", "Transmission", "1", "magma", True),
+        Quantity("exposure", "Exposure time", "days", "plasma", True),
+        Quantity("counts", "Muon counts", "1", "magma", True),
+        Quantity("density", "Mean density", "g/cm³", "cividis", False),
+        Quantity("distance", "Distance to the first rock", "m", "cividis", False),
+    )
+}

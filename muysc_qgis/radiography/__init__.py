@@ -1,0 +1,1 @@
+"""Muon spectra, energy loss, ray tracing, transmission and counting statistics."""

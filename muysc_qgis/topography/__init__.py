@@ -1,0 +1,1 @@
+"""Terrain: DEM windows, the local frame of a detector, profiles along rays."""
