@@ -1,0 +1,181 @@
+"""The local frame of a detector: azimuths and distances on the ellipsoid."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import MuyscError
+
+if TYPE_CHECKING:
+    from pyproj import CRS, Geod, Transformer
+
+    from .dem import Dem
+
+#: Distance between the exact points of a path over the ground. Between them the
+#: path is straight in the raster's own coordinates; the sagitta, at most
+#: step² tan(latitude) / 8R, is 3 cm at 80° latitude.
+PATH_STEP_M = 500.0
+
+
+@lru_cache(maxsize=64)
+def _transformer(source: CRS, target: CRS) -> Transformer:
+    """Return a cached transformer; building one costs more than using it."""
+    from pyproj import Transformer
+
+    return Transformer.from_crs(source, target, always_xy=True)
+
+
+@dataclass(frozen=True)
+class LocalFrame:
+    """Azimuthal frame around one point, on the ellipsoid of a DEM's own datum.
+
+    Positions are (azimuth, geodesic distance) from the origin: the azimuthal
+    equidistant projection in polar form. Heights fall off by the curvature drop
+    d²/2R, so that straight rays are straight in the frame.
+    """
+
+    #: Longitude and latitude of the origin in the DEM's datum, degrees.
+    longitude: float
+    latitude: float
+    dem: Dem
+
+    @property
+    def _geod(self) -> Geod:
+        return _geod_of(self.dem.crs)
+
+    @property
+    def radius_m(self) -> float:
+        """Gaussian radius of curvature √(MN) of the ellipsoid at the origin."""
+        geod = self._geod
+        sine = np.sin(np.radians(self.latitude))
+        return float(geod.a * np.sqrt(1 - geod.es) / (1 - geod.es * sine**2))
+
+    def drop(self, distance_m: np.ndarray | float) -> np.ndarray:
+        """Return how far (m) the level surface falls below the horizontal plane."""
+        return np.square(distance_m) / (2 * self.radius_m)
+
+    def ground_positions(
+        self, azimuth_deg: np.ndarray | float, distance_m: np.ndarray | float
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return the DEM's grid (column, row) at azimuths and distances, broadcast."""
+        azimuth, distance = np.broadcast_arrays(
+            np.asarray(azimuth_deg, float), np.asarray(distance_m, float)
+        )
+        longitude, latitude, _ = self._geod.fwd(
+            np.full(azimuth.size, self.longitude), np.full(azimuth.size, self.latitude),
+            azimuth.ravel(), distance.ravel(),
+        )  # fmt: skip
+        x, y = _from_geographic(self.dem.crs, np.asarray(longitude), np.asarray(latitude))
+        column, row = self.dem.grid_position(x, y)
+        return column.reshape(azimuth.shape), row.reshape(azimuth.shape)
+
+    def polar(self, column: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return azimuth (0–360°) and distance (m) of grid positions, any shape."""
+        x, y = self.dem.crs_position(column, row)
+        longitude, latitude = _to_geographic(self.dem.crs, x, y)
+        azimuth, _, distance = self._geod.inv(
+            np.full(longitude.size, self.longitude), np.full(longitude.size, self.latitude),
+            longitude.ravel(), latitude.ravel(),
+        )  # fmt: skip
+        shape = longitude.shape
+        return np.asarray(azimuth).reshape(shape) % 360.0, np.asarray(distance).reshape(shape)
+
+    def wgs84(self) -> tuple[float, float]:
+        """Return longitude and latitude of the origin on WGS 84, degrees."""
+        return to_wgs84(_degrees(self.dem.crs), self.longitude, self.latitude)
+
+
+@lru_cache(maxsize=64)
+def _geod_of(crs: CRS) -> Geod:
+    return crs.get_geod()
+
+
+def _from_geographic(
+    crs: CRS, longitude: np.ndarray, latitude: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Project longitude and latitude of the CRS's own datum (degrees)."""
+    if crs.is_geographic and crs.axis_info[0].unit_name == "degree":
+        return longitude, latitude
+    return _transformer(_degrees(crs), crs).transform(longitude, latitude)
+
+
+def _to_geographic(crs: CRS, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    if crs.is_geographic and crs.axis_info[0].unit_name == "degree":
+        return np.asarray(x), np.asarray(y)
+    longitude, latitude = _transformer(crs, _degrees(crs)).transform(x, y)
+    return np.asarray(longitude), np.asarray(latitude)
+
+
+@lru_cache(maxsize=64)
+def _degrees(crs: CRS) -> CRS:
+    """Return the geographic CRS on the datum of another, in degrees.
+
+    A few national datums count in grads (NTF in Paris, for one).
+    """
+    from pyproj.crs import GeographicCRS
+
+    geodetic = crs.geodetic_crs
+    if geodetic.axis_info[0].unit_name == "degree":
+        return geodetic
+    return GeographicCRS(geodetic.name, datum=geodetic.datum)
+
+
+def to_wgs84(crs: CRS, x: float, y: float) -> tuple[float, float]:
+    """Return WGS 84 longitude and latitude (degrees) of a point in any CRS."""
+    from pyproj import CRS
+
+    longitude, latitude = _transformer(crs, CRS.from_epsg(4326)).transform(x, y)
+    return float(longitude), float(latitude)
+
+
+def local_frame(dem: Dem, x: float, y: float, what: str) -> LocalFrame:
+    """Return the frame around a point given in the DEM's CRS.
+
+    Parameters
+    ----------
+    dem
+        Terrain on which the point must lie.
+    x, y
+        Coordinates in the DEM's CRS.
+    what
+        Name of the point, for messages.
+
+    Raises
+    ------
+    MuyscError
+        If the point is off the DEM or on no-data.
+    """
+    ground_height(dem, x, y, what)
+    longitude, latitude = _to_geographic(dem.crs, np.asarray([x]), np.asarray([y]))
+    return LocalFrame(float(longitude[0]), float(latitude[0]), dem)
+
+
+def ground_height(dem: Dem, x: float, y: float, what: str) -> float:
+    """Return the terrain height (m) under a point given in the DEM's CRS.
+
+    Raises
+    ------
+    MuyscError
+        If the point is off the DEM or on no-data.
+    """
+    column, row = dem.grid_position(x, y)
+    if not bool(dem.contains(column, row)):
+        left, top = dem.crs_position(0, 0)
+        right, bottom = dem.crs_position(dem.columns - 1, dem.rows - 1)
+        raise MuyscError(
+            f"The {what} ({x:.6g}, {y:.6g}) is off the DEM {dem.name}, which spans "
+            f"x {min(left, right):.6g} to {max(left, right):.6g} and "
+            f"y {min(top, bottom):.6g} to {max(top, bottom):.6g} ({dem.crs.name}); move the "
+            f"{what} or choose a larger DEM."
+        )
+    height = dem.heights_at(float(column), float(row))
+    if np.isnan(height):
+        raise MuyscError(
+            f"The {what} ({x:.6g}, {y:.6g}) lies where the DEM {dem.name} has no data; "
+            f"move the {what} or fill the gap."
+        )
+    return height
