@@ -11,5 +11,5 @@ class MuyscError(ValueError):
     """
 
 
-class Cancelled(Exception):
+class Cancelled(Exception):  # noqa: N818 - a request, not a fault
     """The user stopped the computation; nothing was written."""

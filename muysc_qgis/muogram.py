@@ -144,7 +144,7 @@ def write_muogram(muogram: Muogram, path: str | Path) -> None:
             "QUANTITY": muogram.quantity,
             "UNIT": muogram.kind.unit,
             "VERSION": __version__,
-            **{key: _text(value) for key, value in muogram.metadata.items()},
+            **{key: as_text(value) for key, value in muogram.metadata.items()},
         }
         dataset.SetMetadata(entries, DOMAIN)
         band = dataset.GetRasterBand(1)
@@ -159,7 +159,7 @@ def write_muogram(muogram: Muogram, path: str | Path) -> None:
         raise MuyscError(f"The raster {path} cannot be written: {error}.") from error
 
 
-def _text(value: str | float) -> str:
+def as_text(value: str | float) -> str:
     """Return a metadata value as text that reads back to the same number."""
     return value if isinstance(value, str) else repr(float(value))
 

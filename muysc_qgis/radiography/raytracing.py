@@ -15,7 +15,6 @@ from enum import IntEnum
 
 import numpy as np
 
-
 #: Distances (m) closer than this are the same place.
 _SAME_M = 1e-3
 
@@ -56,9 +55,10 @@ class RockPaths:
 
     #: Length in rock, NaN where it cannot be known.
     thickness_m: np.ndarray
-    #: Length to the first rock, NaN where there is none.
+    #: Length to the first rock, NaN where there is none or it lies past a gap.
     distance_m: np.ndarray
-    #: Length to where the ray leaves the last rock, NaN where there is none.
+    #: Length to where the ray leaves the last rock, NaN where there is none or it
+    #: cannot be known.
     exit_m: np.ndarray
     #: Codes of `Outcome`.
     outcome: np.ndarray
@@ -318,10 +318,12 @@ def _finish(
         slope = tangent if tangent.ndim == 1 else tangent[ray_index]
         clear = np.minimum(slope * start, slope * end) > tally.highest
         outcome[ray_index, ~clear] = Outcome.NO_DATA
+        # Rock beyond the gap need not be the first.
+        tally.first[ray_index, ~clear & (tally.first[ray_index] > start)] = np.inf
 
     known = outcome <= Outcome.TRUNCATED
     with np.errstate(invalid="ignore"):
         thickness = np.where(known, tally.length / cosine, np.nan)
-        distance = np.where(known & np.isfinite(tally.first), tally.first / cosine, np.nan)
+        distance = np.where(np.isfinite(tally.first), tally.first / cosine, np.nan)
         leave = np.where(known & np.isfinite(tally.last), tally.last / cosine, np.nan)
     return RockPaths(thickness, distance, leave, outcome)

@@ -266,6 +266,4 @@ def _horizontal(crs: CRS) -> CRS:
     """Return the horizontal part of a compound or bound CRS."""
     if crs.is_compound:
         crs = crs.sub_crs_list[0]
-    if crs.is_bound:
-        crs = crs.source_crs
-    return crs
+    return crs.source_crs if crs.is_bound and crs.source_crs else crs

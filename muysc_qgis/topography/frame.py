@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -84,6 +84,14 @@ class LocalFrame:
         shape = longitude.shape
         return np.asarray(azimuth).reshape(shape) % 360.0, np.asarray(distance).reshape(shape)
 
+    def equidistant_wkt(self) -> str:
+        """Return the azimuthal equidistant projection around the origin, as WKT."""
+        from pyproj.crs import ProjectedCRS
+        from pyproj.crs.coordinate_operation import AzimuthalEquidistantConversion
+
+        conversion = AzimuthalEquidistantConversion(self.latitude, self.longitude)
+        return str(ProjectedCRS(conversion, geodetic_crs=_degrees(self.dem.crs)).to_wkt())
+
     def wgs84(self) -> tuple[float, float]:
         """Return longitude and latitude of the origin on WGS 84, degrees."""
         return to_wgs84(_degrees(self.dem.crs), self.longitude, self.latitude)
@@ -91,7 +99,7 @@ class LocalFrame:
 
 @lru_cache(maxsize=64)
 def _geod_of(crs: CRS) -> Geod:
-    return crs.get_geod()
+    return cast("Geod", crs.get_geod())  # none: not tied to the Earth, refused on opening
 
 
 def _from_geographic(
@@ -118,7 +126,7 @@ def _degrees(crs: CRS) -> CRS:
     """
     from pyproj.crs import GeographicCRS
 
-    geodetic = crs.geodetic_crs
+    geodetic = cast("CRS", crs.geodetic_crs)  # none: refused when the DEM was opened
     if geodetic.axis_info[0].unit_name == "degree":
         return geodetic
     return GeographicCRS(geodetic.name, datum=geodetic.datum)
@@ -179,3 +187,11 @@ def ground_height(dem: Dem, x: float, y: float, what: str) -> float:
             f"move the {what} or fill the gap."
         )
     return height
+
+
+def from_wgs84(crs: CRS, longitude: float, latitude: float) -> tuple[float, float]:
+    """Return the position in any CRS of a WGS 84 longitude and latitude (degrees)."""
+    from pyproj import CRS
+
+    x, y = _transformer(CRS.from_epsg(4326), crs).transform(longitude, latitude)
+    return float(x), float(y)

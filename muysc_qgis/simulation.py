@@ -1,0 +1,314 @@
+"""From terrain or rock thickness to every quantity of a muogram.
+
+The data flow one way: DEM → rays → thickness → opacity → minimum energy → flux
+→ exposure. `simulate` starts at the DEM, `through_rock` at a muogram of
+thickness or opacity, and both end in a `Simulation`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from .errors import MuyscError
+from .muogram import Muogram
+from .progress import Progress, part, report, silent
+from .radiography.aperture import Aperture
+from .radiography.counting import exposure_days
+from .radiography.raytracing import Outcome
+from .radiography.settings import Physics
+from .radiography.transmission import attenuate
+from .topography.footprint import Outline, aperture_outline, ground_seen
+from .topography.sight import Sight
+from .topography.tracing import trace_terrain
+
+#: Opacity (g/cm²) of 1 m of matter of 1 g/cm³.
+G_CM2_PER_M = 100.0
+
+#: Shares of the progress bar.
+_TRACED = 0.7
+
+#: How much farther than what it shows a field of view is drawn.
+_BEYOND = 1.1
+
+
+@dataclass(frozen=True)
+class Telescope:
+    """What turns a flux into counts."""
+
+    #: cm² sr of one pixel.
+    acceptance_cm2_sr: float = 6.0
+    #: Muons wanted in each pixel.
+    muons: float = 10.0
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """Muograms by quantity, and what to say about them."""
+
+    muograms: Mapping[str, Muogram]
+    #: One sentence each, with the number of pixels concerned.
+    warnings: tuple[str, ...]
+    #: Number of pixels that cannot be known, by cause.
+    unknown: Mapping[str, int]
+
+    @property
+    def rock_pixels(self) -> int:
+        """Number of pixels with rock."""
+        return int(np.count_nonzero(self.muograms["opacity"].values > 0))
+
+    @property
+    def unknown_pixels(self) -> int:
+        """Number of pixels without a flux."""
+        return int(np.count_nonzero(np.isnan(self.muograms["flux"].values)))
+
+    @property
+    def maximum_thickness_m(self) -> float:
+        """Largest known thickness, NaN where none is known."""
+        thickness = self.muograms["thickness"].values
+        return float(np.nanmax(thickness)) if np.isfinite(thickness).any() else float("nan")
+
+    @property
+    def median_exposure_days(self) -> float:
+        """Median exposure of the pixels behind rock, NaN where there is none."""
+        exposure = self.muograms["exposure"].values[self.muograms["opacity"].values > 0]
+        known = exposure[np.isfinite(exposure)]
+        return float(np.median(known)) if known.size else float("nan")
+
+
+def simulate(
+    sight: Sight,
+    aperture: Aperture,
+    physics: Physics,
+    telescope: Telescope,
+    max_range_m: float | None = None,
+    near_field_m: float = 0.0,
+    progress: Progress = silent,
+) -> Simulation:
+    """Simulate a radiography from a detector through the terrain of a DEM.
+
+    Parameters
+    ----------
+    sight
+        Detector and target on the DEM.
+    aperture
+        Field of view around the line of sight.
+    physics, telescope
+        See there.
+    max_range_m
+        Largest horizontal distance looked at (m), None for as far as the DEM.
+    near_field_m
+        Terrain nearer than this (m) is ignored.
+    progress
+        Told the share done.
+
+    Raises
+    ------
+    MuyscError
+        If a number cannot be used or the DEM cannot be read.
+    Cancelled
+        If `progress` asks for a stop.
+    """
+    check_range(max_range_m, near_field_m)
+    azimuth, elevation = aperture.directions(
+        sight.boresight_azimuth_deg, sight.boresight_elevation_deg
+    )
+    rock = trace_terrain(
+        sight.frame,
+        sight.detector_elevation_m,
+        azimuth,
+        elevation[::-1],
+        max_range_m,
+        near_field_m,
+        part(progress, 0.0, _TRACED),
+    )
+    metadata = _describe(sight, max_range_m, near_field_m)
+    thickness = Muogram("thickness", rock.thickness_m.T[::-1], azimuth, elevation, metadata)
+    result = through_rock(thickness, physics, telescope, progress=part(progress, _TRACED, 1.0))
+    distance = result.muograms["flux"].with_values("distance", rock.distance_m.T[::-1])
+    counts = np.bincount(rock.outcome.ravel(), minlength=len(Outcome))
+    pixels = rock.outcome.size
+    return Simulation(
+        {**result.muograms, "distance": distance},
+        (
+            *_terrain_warnings(sight, counts, pixels, max_range_m),
+            *result.warnings,
+        ),
+        {
+            "the ray reaches the edge of the DEM in rock": int(counts[Outcome.EDGE]),
+            "the ray passes a gap in the DEM": int(counts[Outcome.NO_DATA]),
+            **result.unknown,
+        },
+    )
+
+
+def through_rock(
+    rock: Muogram,
+    physics: Physics,
+    telescope: Telescope,
+    altitude_m: float | None = None,
+    progress: Progress = silent,
+) -> Simulation:
+    """Compute what is left of the muon flux behind known rock.
+
+    Parameters
+    ----------
+    rock
+        Muogram of thickness or opacity.
+    physics, telescope
+        See there; the density turns thickness into opacity and back.
+    altitude_m
+        Altitude of the detector, None for the muogram's DETECTOR_ELEVATION.
+    progress
+        Told the share done.
+
+    Raises
+    ------
+    MuyscError
+        If the muogram holds another quantity, lacks its DETECTOR_ELEVATION where
+        that is needed, or a number cannot be used.
+    Cancelled
+        If `progress` asks for a stop.
+    """
+    if rock.quantity == "thickness":
+        thickness, opacity = rock.values, rock.values * (physics.density * G_CM2_PER_M)
+    elif rock.quantity == "opacity":
+        thickness, opacity = rock.values / (physics.density * G_CM2_PER_M), rock.values
+    else:
+        raise MuyscError(
+            f"The muogram holds {rock.quantity}, and the flux follows from thickness or "
+            "opacity; choose a muogram of one of these."
+        )
+    if altitude_m is None:
+        altitude_m = rock.number("DETECTOR_ELEVATION") if physics.altitude_correction else 0.0
+    report(progress, 0.0)
+    muons = attenuate(opacity, rock.elevation_deg[:, None], physics, altitude_m)
+    exposure = exposure_days(muons.flux, telescope.acceptance_cm2_sr, telescope.muons)
+    report(progress, 1.0)
+    metadata = {
+        "MATERIAL": physics.material,
+        "DENSITY": physics.density,
+        "FLUX_MODEL": physics.flux_model,
+        "GAISSER_PARAMETERS": physics.gaisser_parameters,
+        "ENERGY_LOSS": physics.energy_loss,
+        "STRAGGLING": "yes" if physics.straggling else "no",
+        "ALTITUDE_CORRECTION": "yes" if physics.altitude_correction else "no",
+        "DETECTION_THRESHOLD": physics.detection_threshold_gev,
+        "ACCEPTANCE": telescope.acceptance_cm2_sr,
+        "MUONS": telescope.muons,
+    }
+    values = {
+        "thickness": thickness,
+        "opacity": opacity,
+        "minimum_energy": muons.minimum_energy_gev,
+        "flux": muons.flux,
+        "open_sky": np.broadcast_to(muons.open_sky, opacity.shape),
+        "transmission": muons.transmission,
+        "exposure": exposure,
+    }
+    warnings = muons.warnings
+    known = np.isfinite(opacity)
+    if known.any() and not np.any(opacity[known] > 0):
+        warnings = (
+            f"All {np.count_nonzero(known)} known pixels see only sky: check detector, target "
+            "and elevation aperture.",
+            *warnings,
+        )
+    return Simulation(
+        {name: rock.with_values(name, array, **metadata) for name, array in values.items()},
+        warnings,
+        muons.unknown,
+    )
+
+
+def check_range(max_range_m: float | None, near_field_m: float) -> None:
+    """Refuse a range and a near field that leave no ground between them.
+
+    Raises
+    ------
+    MuyscError
+        With the reason.
+    """
+    if max_range_m is not None and not 0 < max_range_m < np.inf:
+        raise MuyscError(
+            f"A maximum range of {max_range_m:g} m is impossible; give a distance above 0 m, or "
+            "none for as far as the DEM reaches."
+        )
+    if not 0 <= near_field_m < np.inf:
+        raise MuyscError(
+            f"A near field of {near_field_m:g} m is impossible; give a distance of 0 m or more."
+        )
+    if max_range_m is not None and near_field_m >= max_range_m:
+        raise MuyscError(
+            f"The near field of {near_field_m:g} m leaves nothing of the maximum range of "
+            f"{max_range_m:g} m; make it shorter than the range."
+        )
+
+
+def _describe(
+    sight: Sight, max_range_m: float | None, near_field_m: float
+) -> dict[str, str | float]:
+    """Return what later steps need to know about the geometry."""
+    dem = sight.frame.dem
+    description: dict[str, str | float] = {
+        "DETECTOR_LON": sight.detector_wgs84[0],
+        "DETECTOR_LAT": sight.detector_wgs84[1],
+        "DETECTOR_ELEVATION": sight.detector_elevation_m,
+        "DETECTOR_HEIGHT": sight.detector_height_m,
+        "TARGET_LON": sight.target_wgs84[0],
+        "TARGET_LAT": sight.target_wgs84[1],
+        "TARGET_ELEVATION": sight.target_elevation_m,
+        "TARGET_DISTANCE": sight.target_distance_m,
+        "BORESIGHT_AZIMUTH": sight.boresight_azimuth_deg,
+        "BORESIGHT_ELEVATION": sight.boresight_elevation_deg,
+        "NEAR_FIELD": near_field_m,
+        "DEM": dem.name,
+        "DEM_CRS": dem.crs.name,
+    }
+    if max_range_m is not None:
+        description["MAX_RANGE"] = max_range_m
+    return description
+
+
+def _terrain_warnings(
+    sight: Sight, counts: np.ndarray, pixels: int, max_range_m: float | None
+) -> tuple[str, ...]:
+    warnings = [*sight.frame.dem.assumptions]
+    if sight.detector_height_m < 0:
+        warnings.append(
+            f"The detector is {-sight.detector_height_m:g} m below ground: every ray starts in "
+            "rock unless it is in the open by then."
+        )
+    if counts[Outcome.EDGE]:
+        warnings.append(
+            f"{counts[Outcome.EDGE]} of {pixels} rays reach the edge of the DEM in rock, so "
+            "their thickness is unknown: use a larger DEM, or set a maximum range to cut them."
+        )
+    if counts[Outcome.NO_DATA]:
+        warnings.append(
+            f"{counts[Outcome.NO_DATA]} of {pixels} rays pass a gap in the DEM lower than the "
+            "highest ground, so their thickness is unknown: fill the gaps."
+        )
+    if counts[Outcome.TRUNCATED]:
+        warnings.append(
+            f"{counts[Outcome.TRUNCATED]} of {pixels} rays are still in rock at the maximum "
+            f"range of {max_range_m:g} m: their thickness is cut there."
+        )
+    return tuple(warnings)
+
+
+def outlines(
+    simulation: Simulation, sight: Sight, aperture: Aperture
+) -> tuple[Outline, list[Outline]]:
+    """Return the sector of the field of view, and the ground seen in it.
+
+    The sector reaches a little beyond the target and the farthest rock face.
+    """
+    distance = simulation.muograms["distance"]
+    level = distance.values * np.cos(np.radians(distance.elevation_deg))[:, None]
+    width = aperture.azimuth_width_deg
+    seen = ground_seen(distance.azimuth_deg, level, width)
+    farthest = max([sight.target_distance_m, *(float(one.distance_m.max()) for one in seen)])
+    return aperture_outline(distance.azimuth_deg, width, _BEYOND * farthest), seen

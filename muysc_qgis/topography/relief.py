@@ -1,0 +1,77 @@
+"""A small picture of the terrain around a detector, for maps in reports."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import MuyscError
+from .frame import LocalFrame
+
+
+@dataclass(frozen=True)
+class ReliefGrid:
+    """Terrain on a regular grid in the detector's azimuthal equidistant frame."""
+
+    #: (n,) metres east and north of the detector, increasing.
+    east_m: np.ndarray
+    north_m: np.ndarray
+    #: (n_north, n_east) heights in m, NaN where unknown.
+    elevation_m: np.ndarray
+
+
+def relief_around(
+    frame: LocalFrame,
+    east_m: tuple[float, float],
+    north_m: tuple[float, float],
+    pixels: int = 360,
+) -> ReliefGrid:
+    """Return the terrain in a rectangle around a detector.
+
+    Parameters
+    ----------
+    frame
+        Frame of the detector.
+    east_m, north_m
+        Limits of the rectangle in m from the detector.
+    pixels
+        Pixels along the longer side.
+
+    Raises
+    ------
+    MuyscError
+        If the DEM cannot be read.
+    """
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    dem = frame.dem
+    step = max(east_m[1] - east_m[0], north_m[1] - north_m[0]) / pixels
+    try:
+        # Averaging keeps a coarse picture of a fine DEM free of moiré; the warper
+        # reads overviews and only what the rectangle needs.
+        warped = gdal.Warp(
+            "", dem.path, format="MEM", dstSRS=frame.equidistant_wkt(), srcSRS=dem.crs.to_wkt(),
+            outputBounds=(east_m[0], north_m[0], east_m[1], north_m[1]), xRes=step, yRes=step,
+            outputType=gdal.GDT_Float32, dstNodata=float("nan"), srcBands=[dem.band],
+            resampleAlg="average" if step > dem_cell_m(frame) else "bilinear",
+        )  # fmt: skip
+    except (RuntimeError, TypeError) as error:
+        raise MuyscError(f"The DEM {dem.name} cannot be drawn: {error}.") from error
+    heights = warped.GetRasterBand(1).ReadAsArray().astype(float)[::-1]
+    rows, columns = heights.shape
+    return ReliefGrid(
+        east_m[0] + step * (np.arange(columns) + 0.5),
+        north_m[1] - step * (np.arange(rows)[::-1] + 0.5),
+        heights * dem.scale + dem.offset,
+    )
+
+
+def dem_cell_m(frame: LocalFrame) -> float:
+    """Return the size (m) of a DEM cell at the detector: the geometric mean of its sides."""
+    column, row = frame.ground_positions(np.zeros(1), np.zeros(1))
+    _, side = frame.polar(
+        np.array([column[0] + 1, column[0]]), np.array([row[0], row[0] + 1])
+    )
+    return float(np.sqrt(side[0] * side[1]))

@@ -1,0 +1,160 @@
+"""What every algorithm shares: errors, progress, help, outputs that appear together."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsProcessingParameterDefinition,
+)
+from qgis.PyQt.QtGui import QIcon
+
+from ..muysc_qgis.errors import Cancelled, MuyscError
+from ..muysc_qgis.progress import Progress
+from ..muysc_qgis.staging import Staging
+
+ROOT = Path(__file__).resolve().parent.parent
+HELP_FOLDER = Path(__file__).parent / "help"
+
+
+class MuyscAlgorithm(QgsProcessingAlgorithm):
+    """An algorithm that declares, converts, calls the library once and writes.
+
+    Subclasses set the class attributes and implement `parameters`, `read` and
+    `compute`; `parameters` may add outputs through `addOutput`.
+    """
+
+    NAME = ""
+    TITLE = ""
+    GROUP = ""
+    GROUP_ID = ""
+    TAGS: tuple[str, ...] = ()
+
+    def declare(self) -> list[QgsProcessingParameterDefinition]:
+        """Return the parameters in the order of the dialog."""
+        raise NotImplementedError
+
+    def declare_outputs(self) -> None:
+        """Add the outputs that are no destination parameters."""
+
+    def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Any:
+        """Convert parameters to the library's types.
+
+        Raises
+        ------
+        MuyscError
+            If a value cannot be used.
+        """
+        raise NotImplementedError
+
+    def compute(
+        self,
+        inputs: Any,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        staging: Staging,
+    ) -> dict[str, Any]:
+        """Call the library and stage its results.
+
+        Raises
+        ------
+        MuyscError
+            If something cannot be computed or written.
+        Cancelled
+            If the user stopped it.
+        """
+        raise NotImplementedError
+
+    # What QGIS asks for.
+
+    def createInstance(self) -> MuyscAlgorithm:
+        return type(self)()
+
+    def name(self) -> str:
+        return self.NAME
+
+    def displayName(self) -> str:
+        return self.TITLE
+
+    def group(self) -> str:
+        return self.GROUP
+
+    def groupId(self) -> str:
+        return self.GROUP_ID
+
+    def tags(self) -> list[str]:
+        return ["muon", "muography", "volcano", *self.TAGS]
+
+    def icon(self) -> QIcon:
+        return QIcon(str(ROOT / "icon.svg"))
+
+    def shortHelpString(self) -> str:
+        return (HELP_FOLDER / f"{self.NAME}.html").read_text(encoding="utf-8")
+
+    def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:
+        for parameter in self.declare():
+            self.addParameter(parameter)
+        self.declare_outputs()
+
+    def checkParameterValues(
+        self, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> tuple[bool, str]:
+        try:
+            self.read(parameters, context)
+        except MuyscError as error:
+            return False, str(error)
+        return super().checkParameterValues(parameters, context)
+
+    def processAlgorithm(
+        self,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+    ) -> dict[str, Any]:
+        self._warn_of_undeclared(parameters, feedback)
+        try:
+            with Staging() as staging:
+                inputs = self.read(parameters, context)
+                results = self.compute(inputs, parameters, context, feedback, staging)
+                staging.commit()
+        except MuyscError as error:
+            raise QgsProcessingException(str(error)) from error
+        except Cancelled:
+            raise QgsProcessingException("Cancelled; nothing was written.") from None
+        except MemoryError:
+            raise QgsProcessingException(
+                "There is not enough memory for this; use fewer pixels or a shorter range."
+            ) from None
+        return {name: _plain(value) for name, value in results.items()}
+
+    def _warn_of_undeclared(
+        self, parameters: dict[str, Any], feedback: QgsProcessingFeedback
+    ) -> None:
+        declared = {definition.name() for definition in self.parameterDefinitions()}
+        for name in parameters:
+            if name not in declared:
+                feedback.pushWarning(
+                    f"{name} is no parameter of {self.id()} and was ignored; the parameters are "
+                    f"{', '.join(sorted(declared))}."
+                )
+
+
+def progress_of(feedback: QgsProcessingFeedback, start: float, end: float) -> Progress:
+    """Return the library's progress for a stretch (0 to 1) of the progress bar."""
+
+    def progress(fraction: float) -> bool:
+        feedback.setProgress(100 * (start + (end - start) * fraction))
+        return not feedback.isCanceled()
+
+    return progress
+
+
+def _plain(value: Any) -> Any:
+    """Return a numpy scalar as a Python number; QGIS prints nothing for others."""
+    return value.item() if hasattr(value, "item") else value

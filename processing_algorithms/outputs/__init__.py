@@ -1,0 +1,1 @@
+"""Outputs that several algorithms share: rasters with styles, footprint, documents."""

@@ -1,0 +1,102 @@
+"""The field of view as polygons on the map."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsFeatureSink,
+    QgsFields,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFeatureSink,
+)
+
+from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.radiography.aperture import Aperture
+from ...muysc_qgis.simulation import Simulation, outlines
+from ...muysc_qgis.topography.footprint import Outline
+from ...muysc_qgis.topography.sight import Sight
+from ..compat import POLYGON, VECTOR_POLYGON, field
+from ..parameters.values import explained
+
+NAME = "FIELD_OF_VIEW"
+
+
+def footprint_output() -> QgsProcessingParameterDefinition:
+    """Declare the field of view."""
+    return explained(
+        QgsProcessingParameterFeatureSink(
+            NAME, "Field of view", VECTOR_POLYGON, None, True, True
+        ),
+        "Polygons on the map: the sector that the aperture covers, and within it the ground seen, "
+        "from the nearest to the farthest rock face along each azimuth.",
+    )
+
+
+def write_footprint(
+    algorithm: QgsProcessingAlgorithm,
+    simulation: Simulation,
+    sight: Sight,
+    aperture: Aperture,
+    crs: QgsCoordinateReferenceSystem,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+) -> dict[str, str]:
+    """Write the polygons; called last, because a sink cannot be staged.
+
+    Raises
+    ------
+    MuyscError
+        If the sink cannot be made.
+    """
+    if parameters.get(NAME) is None:
+        return {}
+    fields = QgsFields()
+    for name, kind in (
+        ("part", str), ("azimuth_from", float), ("azimuth_to", float),
+        ("elevation_from", float), ("elevation_to", float),
+        ("distance_from_m", float), ("distance_to_m", float),
+    ):  # fmt: skip
+        fields.append(field(name, kind))
+    sink, identifier = algorithm.parameterAsSink(
+        parameters, NAME, context, fields, POLYGON, crs
+    )
+    if sink is None:
+        raise MuyscError(
+            f"{NAME} cannot be written to “{parameters[NAME]}”; choose another place."
+        )
+    half = aperture.elevation_width_deg / 2
+    elevations = (sight.boresight_elevation_deg - half, sight.boresight_elevation_deg + half)
+    sector, seen = outlines(simulation, sight, aperture)
+    for part, outline in (("aperture", sector), *(("ground seen", one) for one in seen)):
+        feature = QgsFeature(fields)
+        feature.setGeometry(_polygon(outline, sight))
+        positive = outline.distance_m[outline.distance_m > 0]
+        feature.setAttributes(
+            [
+                part,
+                float(np.min(outline.azimuth_deg)),
+                float(np.max(outline.azimuth_deg)),
+                *elevations,
+                0.0 if part == "aperture" else float(positive.min(initial=np.inf)),
+                float(outline.distance_m.max()),
+            ]
+        )
+        sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
+    return {NAME: identifier}
+
+
+def _polygon(outline: Outline, sight: Sight) -> QgsGeometry:
+    frame = sight.frame
+    x, y = frame.dem.crs_position(
+        *frame.ground_positions(outline.azimuth_deg, outline.distance_m)
+    )
+    ring = [QgsPointXY(float(px), float(py)) for px, py in zip(x, y)]
+    return QgsGeometry.fromPolygonXY([[*ring, ring[0]]])

@@ -1,0 +1,116 @@
+"""Muograms as raster outputs: declared, staged and styled."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterRasterDestination,
+)
+
+from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.muogram import Muogram, write_muogram
+from ...muysc_qgis.quantities import QUANTITIES, Quantity
+from ...muysc_qgis.staging import Staging
+from ..parameters.values import explained
+from .styles import StyleOnLoad, write_style
+
+_HELP = {
+    "thickness": "Length of each ray in rock, 0 in the sky.",
+    "opacity": "Thickness times density, the mass per area that a muon has to cross.",
+    "minimum_energy": "Kinetic energy of the slowest muons that get through.",
+    "flux": "Integral flux of the muons that get through.",
+    "open_sky": "Integral flux that there would be without the rock.",
+    "transmission": "Flux over open-sky flux, 1 in the sky.",
+    "exposure": "Days until a pixel has counted the muons wanted.",
+    "distance": "Length of each ray from the detector to the first rock.",
+}
+
+
+def raster_outputs(
+    quantities: Mapping[str, str], always: Iterable[str]
+) -> list[QgsProcessingParameterDefinition]:
+    """Declare raster destinations, given the quantity of each by output name."""
+    return [
+        explained(
+            QgsProcessingParameterRasterDestination(
+                output, QUANTITIES[name].label, None, output not in always, output in always
+            ),
+            _HELP[name] + " A GeoTIFF with azimuth to the right and elevation upwards, degrees.",
+        )
+        for output, name in quantities.items()
+    ]
+
+
+def destination(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> str | None:
+    """Return the file of a raster destination, None where it is not wanted.
+
+    Raises
+    ------
+    MuyscError
+        If the file is no GeoTIFF by its name.
+    """
+    if parameters.get(name) in (None, ""):
+        definition = algorithm.parameterDefinition(name)
+        if not definition.createByDefault():
+            return None
+    path = algorithm.parameterAsOutputLayer(parameters, name, context)
+    if not path:
+        return None
+    if Path(path).suffix.lower() not in (".tif", ".tiff"):
+        raise MuyscError(
+            f"{name} goes to “{path}”, and only GeoTIFF can hold what a muogram says about "
+            "itself; give a file name that ends in .tif."
+        )
+    return path
+
+
+def stage_raster(
+    staging: Staging,
+    path: str,
+    inputs: tuple[str, ...],
+    context: QgsProcessingContext,
+    values: np.ndarray,
+    quantity: Quantity,
+) -> Path:
+    """Stage a raster's style and return the temporary path of the raster itself."""
+    temporary = staging.add(path, inputs)
+    style = str(Path(path).with_suffix(".qml"))
+    write_style(staging.add(style), values, quantity)
+    if context.willLoadLayerOnCompletion(path):
+        context.layerToLoadOnCompletionDetails(path).setPostProcessor(StyleOnLoad(style))
+    return temporary
+
+
+def stage_muograms(
+    algorithm: QgsProcessingAlgorithm,
+    quantities: Mapping[str, str],
+    muograms: Mapping[str, Muogram],
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    staging: Staging,
+    inputs: tuple[str, ...],
+) -> dict[str, str]:
+    """Stage the muograms that are wanted; return files by output name."""
+    results = {}
+    for output, name in quantities.items():
+        path = destination(algorithm, parameters, output, context)
+        if path is not None:
+            muogram = muograms[name]
+            write_muogram(
+                muogram,
+                stage_raster(staging, path, inputs, context, muogram.values, muogram.kind),
+            )
+            results[output] = path
+    return results

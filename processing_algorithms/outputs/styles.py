@@ -1,0 +1,120 @@
+"""Map styles: each quantity in the colours that panels and reports use."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+from qgis.core import (
+    Qgis,
+    QgsColorRampShader,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingLayerPostProcessorInterface,
+    QgsRasterShader,
+    QgsSingleBandPseudoColorRenderer,
+)
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtXml import QDomDocument
+
+from ...muysc_qgis.plots.limits import colour_limits
+from ...muysc_qgis.quantities import COLOUR_STOPS, Quantity
+
+#: Colour of muogram pixels without rock.
+SKY_COLOUR = "#dceaf7"
+
+#: Quantities that are 0 where there is only sky.
+_ZERO_IN_THE_SKY = ("thickness", "opacity")
+
+
+def write_style(path: Path, values: np.ndarray, quantity: Quantity) -> None:
+    """Write a QML style for a single-band raster.
+
+    Parameters
+    ----------
+    path
+        The ``.qml`` file; QGIS applies it when it stands beside the raster
+        under the same name.
+    values
+        The raster's values, any shape.
+    quantity
+        What they are.
+    """
+    function = QgsColorRampShader()
+    function.setColorRampType(QgsColorRampShader.Type.Interpolated)
+    items = _colour_items(values, quantity)
+    function.setColorRampItemList(items)
+    function.setMinimumValue(items[0].value)
+    function.setMaximumValue(items[-1].value)
+    shader = QgsRasterShader()
+    shader.setRasterShaderFunction(function)
+    renderer = QgsSingleBandPseudoColorRenderer(None, 1, shader)
+    renderer.setClassificationMin(items[0].value)
+    renderer.setClassificationMax(items[-1].value)
+    document = QDomDocument()
+    root = document.createElement("qgis")
+    root.setAttribute("version", Qgis.QGIS_VERSION)
+    root.setAttribute("styleCategories", "AllStyleCategories")
+    pipe = document.createElement("pipe")
+    renderer.writeXml(document, pipe)
+    root.appendChild(pipe)
+    document.appendChild(root)
+    path.write_text(document.toString(2), encoding="utf-8")
+
+
+def _colour_items(
+    values: np.ndarray, quantity: Quantity
+) -> list[QgsColorRampShader.ColorRampItem]:
+    """Return values with colours and labels, evenly spaced on the quantity's scale."""
+    low, high = colour_limits(values, quantity)
+    colours = COLOUR_STOPS[quantity.colours]
+    if quantity.logarithmic:
+        stops = np.geomspace(low, high, len(colours))
+    else:
+        stops = np.linspace(low, high, len(colours))
+    unit = "" if quantity.unit == "1" else f" {quantity.unit}"
+    items = [
+        QgsColorRampShader.ColorRampItem(float(stop), QColor(colour), f"{_rounded(stop)}{unit}")
+        for stop, colour in zip(stops, colours)
+    ]
+    if quantity.name in _ZERO_IN_THE_SKY:
+        # Two stops close together: sky is one colour and the thinnest rock another.
+        edge = low * 1e-6
+        sky = QColor(SKY_COLOUR)
+        items = [
+            QgsColorRampShader.ColorRampItem(0.0, sky, "sky"),
+            QgsColorRampShader.ColorRampItem(edge, QColor(colours[0]), f"< {_rounded(low)}{unit}"),
+            *items,
+        ]
+    return items
+
+
+def _rounded(value: float) -> str:
+    """Return three significant digits without an exponent where that is short."""
+    if value and not 1e-3 <= abs(value) < 1e6:
+        return f"{value:.2e}"
+    digits = max(0, 2 - math.floor(math.log10(abs(value)))) if value else 0
+    return f"{value:,.{digits}f}".replace(",", " ")
+
+
+class StyleOnLoad(QgsProcessingLayerPostProcessorInterface):
+    """Applies the style beside a raster when Processing adds it to the project.
+
+    QGIS would do so itself unless the user has set a default raster style.
+    """
+
+    #: QGIS keeps no reference of its own to a post-processor made in Python.
+    _alive: list[StyleOnLoad] = []  # noqa: RUF012 - shared on purpose
+
+    def __init__(self, style: str) -> None:
+        super().__init__()
+        self.style = style
+        self._alive.append(self)
+
+    def postProcessLayer(
+        self, layer: object, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> None:
+        layer.loadNamedStyle(self.style)
+        layer.triggerRepaint()
+        self._alive.remove(self)

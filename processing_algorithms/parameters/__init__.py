@@ -1,0 +1,1 @@
+"""Parameters that several algorithms share: how they are declared and read."""

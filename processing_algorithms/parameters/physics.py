@@ -1,0 +1,139 @@
+"""Parameters of the muon flux and of its attenuation in rock."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+)
+
+from ...muysc_qgis.radiography.energy_loss import ENERGY_LOSSES
+from ...muysc_qgis.radiography.gaisser import GAISSER_PARAMETERS
+from ...muysc_qgis.radiography.materials import MATERIALS
+from ...muysc_qgis.radiography.settings import (
+    MAXIMUM_DENSITY_G_CM3,
+    MAXIMUM_THRESHOLD_GEV,
+    Physics,
+)
+from ...muysc_qgis.radiography.spectra import MODELS
+from ...muysc_qgis.simulation import Telescope
+from .values import choice, number, read_choice, read_number, switch
+
+
+def physics_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare everything that `Physics` holds."""
+    densities = ", ".join(
+        f"{material.name} {material.density_g_cm3:g}" for material in MATERIALS.values()
+    )
+    return [
+        choice(
+            "MATERIAL", "Material",
+            "Rock or other matter, whose stopping power slows the muons.",
+            list(MATERIALS), "standard_rock",
+        ),
+        number(
+            "DENSITY", "Density (g/cm³, empty: the material's own)",
+            f"Give the mean density in g/cm³, above 0 and up to {MAXIMUM_DENSITY_G_CM3:g}. Empty "
+            f"stands for the material's own: {densities}.",
+            None, 0, MAXIMUM_DENSITY_G_CM3,
+        ),
+        choice(
+            "FLUX_MODEL", "Muon flux model",
+            "Parametrised spectrum of the muons at sea level. gaisser-tang and guan hold for all "
+            "energies and zenith angles; gaisser above 100/cos θ GeV and within 70° of the "
+            "zenith; bugaev near the vertical; reyna-bugaev and reyna-hebbeker stretch vertical "
+            "spectra to inclined muons.",
+            list(MODELS), "gaisser-tang",
+        ),
+        choice(
+            "GAISSER_PARAMETERS", "Parameters of the Gaisser formula",
+            "Constants of the models gaisser and gaisser-tang; the other models do not use them.",
+            list(GAISSER_PARAMETERS), "gaisser", advanced=True,
+        ),
+        choice(
+            "ENERGY_LOSS", "Energy loss",
+            "csda: range table of the material (recommended). lesparre: polynomial for standard "
+            "rock, up to 1 TeV. paper: energy over stopping power in place of the range, as in "
+            "the first MUYSC; without answer beyond about 613 m of rock.",
+            list(ENERGY_LOSSES), "csda", advanced=True,
+        ),
+        switch(
+            "STRAGGLING", "Correct for straggling",
+            "Whether to correct the flux for the fluctuations of the energy loss, which let more "
+            "muons through thick rock than the mean loss does: 1.5 % at 1 km water "
+            "equivalent, 11 % at 3 km.",
+            True, advanced=True,
+        ),
+        switch(
+            "ALTITUDE_CORRECTION", "Correct for altitude",
+            "Whether the flux grows with the altitude of the detector. Made for momenta above "
+            "10 GeV/c and altitudes below 1 km; beyond that a warning is given.",
+            True, advanced=True,
+        ),
+        number(
+            "DETECTION_THRESHOLD", "Detection threshold (GeV)",
+            "Give the kinetic energy in GeV that a muon needs behind the rock to be detected, from "
+            f"0 to below {MAXIMUM_THRESHOLD_GEV:g}. With 0 the open sky starts at 1 GeV/c.",
+            0.0, 0, MAXIMUM_THRESHOLD_GEV, advanced=True,
+        ),
+    ]  # fmt: skip
+
+
+def read_physics(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Physics:
+    """Return the physics chosen.
+
+    Raises
+    ------
+    MuyscError
+        If a value cannot be used.
+    """
+    read = (algorithm, parameters)
+    threshold = read_number(*read, "DETECTION_THRESHOLD", context)
+    return Physics(
+        material=read_choice(*read, "MATERIAL", context),
+        density_g_cm3=read_number(*read, "DENSITY", context),
+        flux_model=read_choice(*read, "FLUX_MODEL", context),
+        gaisser_parameters=read_choice(*read, "GAISSER_PARAMETERS", context),
+        energy_loss=read_choice(*read, "ENERGY_LOSS", context),
+        straggling=algorithm.parameterAsBool(parameters, "STRAGGLING", context),
+        altitude_correction=algorithm.parameterAsBool(parameters, "ALTITUDE_CORRECTION", context),
+        detection_threshold_gev=threshold or 0.0,
+    )
+
+
+def telescope_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare what turns a flux into an exposure time."""
+    return [
+        number(
+            "ACCEPTANCE", "Acceptance of a pixel (cm² sr)",
+            "Give the acceptance of one pixel in cm² sr, above 0. It divides the exposure time.",
+            6.0, 0,
+        ),
+        number(
+            "MUONS", "Muons per pixel",
+            "Give the number of muons wanted in each pixel, above 0. 10 muons give the flux to "
+            "about 32 %, 100 to 10 %.",
+            10.0, 0,
+        ),
+    ]  # fmt: skip
+
+
+def read_telescope(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Telescope:
+    """Return acceptance and muons wanted.
+
+    Raises
+    ------
+    MuyscError
+        If a value cannot be used.
+    """
+    return Telescope(
+        read_number(algorithm, parameters, "ACCEPTANCE", context) or 0.0,
+        read_number(algorithm, parameters, "MUONS", context) or 0.0,
+    )

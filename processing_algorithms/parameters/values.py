@@ -1,0 +1,144 @@
+"""Single parameters: declaring them with help, reading them with a sentence."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterNumber,
+)
+
+from ...muysc_qgis.errors import MuyscError
+from ..compat import ADVANCED
+
+
+def explained(
+    parameter: QgsProcessingParameterDefinition, text: str, advanced: bool = False
+) -> QgsProcessingParameterDefinition:
+    """Give a parameter its help text and, where rarely used, the advanced flag."""
+    parameter.setHelp(text)
+    if advanced:
+        parameter.setFlags(parameter.flags() | ADVANCED)
+    return parameter
+
+
+def number(
+    name: str,
+    label: str,
+    text: str,
+    default: float | None,
+    low: float | None = None,
+    high: float | None = None,
+    advanced: bool = False,
+    whole: bool = False,
+) -> QgsProcessingParameterDefinition:
+    """Return a number parameter; optional where the default is None."""
+    kinds = QgsProcessingParameterNumber.Type
+    parameter = QgsProcessingParameterNumber(
+        name, label, kinds.Integer if whole else kinds.Double, default, default is None
+    )
+    if low is not None:
+        parameter.setMinimum(low)
+    if high is not None:
+        parameter.setMaximum(high)
+    return explained(parameter, text, advanced)
+
+
+def choice(
+    name: str, label: str, text: str, options: list[str], default: str, advanced: bool = False
+) -> QgsProcessingParameterDefinition:
+    """Return an enumeration that is stored as the word chosen."""
+    parameter = QgsProcessingParameterEnum(
+        name, label, options, defaultValue=default, usesStaticStrings=True
+    )
+    return explained(parameter, text, advanced)
+
+
+def switch(
+    name: str, label: str, text: str, default: bool, advanced: bool = False
+) -> QgsProcessingParameterDefinition:
+    """Return a yes-or-no parameter."""
+    return explained(QgsProcessingParameterBoolean(name, label, default), text, advanced)
+
+
+def given(parameters: dict[str, Any], name: str) -> bool:
+    """Return whether a parameter has a value of its own."""
+    return parameters.get(name) not in (None, "")
+
+
+def read_number(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> float | None:
+    """Return a number, None where an optional one is empty.
+
+    QGIS would take its default for a text that is no number; this refuses it.
+
+    Raises
+    ------
+    MuyscError
+        If the value is no finite number.
+    """
+    definition = algorithm.parameterDefinition(name)
+    if not given(parameters, name) and definition.defaultValue() is None:
+        return None
+    raw = parameters.get(name)
+    value = algorithm.parameterAsDouble(parameters, name, context)
+    if isinstance(raw, str):
+        try:
+            value = float(raw)
+        except ValueError:
+            value = math.nan
+    if not math.isfinite(value):
+        raise MuyscError(
+            f"{name} is “{raw}”, which is not a finite number; {definition.help()[0].lower()}"
+            f"{definition.help()[1:]}"
+        )
+    return value
+
+
+def read_count(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> int:
+    """Return a whole number.
+
+    Raises
+    ------
+    MuyscError
+        If the value is no whole number.
+    """
+    value = read_number(algorithm, parameters, name, context)
+    if value is None or value != round(value):
+        raise MuyscError(f"{name} is {value}, which is not a whole number; round it.")
+    return int(value)
+
+
+def read_choice(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> str:
+    """Return the word chosen.
+
+    Raises
+    ------
+    MuyscError
+        If it is not one of the options, which QGIS would replace by the default.
+    """
+    raw = parameters.get(name)
+    options = algorithm.parameterDefinition(name).options()
+    if isinstance(raw, str) and raw and raw not in options:
+        raise MuyscError(f"{name} is “{raw}”; use one of {', '.join(options)}.")
+    return algorithm.parameterAsEnumString(parameters, name, context)

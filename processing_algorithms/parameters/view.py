@@ -1,0 +1,150 @@
+"""Parameters of where the telescope stands and what it looks at."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterPoint,
+    QgsRasterLayer,
+)
+
+from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.radiography.aperture import Aperture
+from ...muysc_qgis.topography.dem import Dem
+from ...muysc_qgis.topography.sight import Sight, take_sight
+from .values import explained, given, number, read_count, read_number
+
+#: A point without a coordinate reference system, as a script writes it.
+_BARE_POINT = re.compile(r"^\s*[-+.\deE]+\s*,\s*[-+.\deE]+\s*$")
+
+
+def sight_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare detector and target."""
+    return [
+        explained(
+            QgsProcessingParameterPoint("DETECTOR", "Detector"),
+            "Where the telescope stands, on the DEM. As text: x,y [EPSG:code]; without a code the "
+            "point is in the project's CRS, or the DEM's where there is no project.",
+        ),
+        number(
+            "DETECTOR_HEIGHT", "Detector height above ground (m)",
+            "Give the height of the telescope above the ground in m, −10000 to 10000; negative in "
+            "a tunnel or borehole.",
+            0.0, -10_000, 10_000,
+        ),
+        explained(
+            QgsProcessingParameterPoint("TARGET", "Target"),
+            "What the telescope points at, on the DEM: the middle of the field of view.",
+        ),
+        number(
+            "TARGET_HEIGHT", "Target height above ground (m)",
+            "Give the height of the aiming point above the ground in m, −10000 to 10000; negative "
+            "inside the mountain.",
+            0.0, -10_000, 10_000,
+        ),
+    ]  # fmt: skip
+
+
+def read_sight(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    dem: Dem,
+    layer: QgsRasterLayer,
+) -> tuple[Sight, list[str]]:
+    """Return the line of sight, and what had to be assumed for it.
+
+    Raises
+    ------
+    MuyscError
+        If a point is missing or cannot be used.
+    """
+    points = {}
+    notes = []
+    for name in ("DETECTOR", "TARGET"):
+        if not given(parameters, name):
+            raise MuyscError(
+                f"{name} is missing; give a point, as text x,y [EPSG:code], on the DEM."
+            )
+        point = algorithm.parameterAsPoint(parameters, name, context, layer.crs())
+        value = parameters[name]
+        is_text = isinstance(value, str)
+        if is_text and not re.match(r"^\s*[-+.\deE]+\s*,\s*[-+.\deE]+", value):
+            raise MuyscError(f"{name} is “{value}”, which is not a point; write x,y [EPSG:code].")
+        points[name] = (point.x(), point.y())
+        if is_text and _BARE_POINT.match(value):
+            project = context.project()
+            crs = project.crs() if project and project.crs().isValid() else layer.crs()
+            notes.append(
+                f"{name} names no coordinate reference system; {crs.authid()} was assumed."
+            )
+    return (
+        take_sight(
+            dem,
+            points["DETECTOR"],
+            points["TARGET"],
+            read_number(algorithm, parameters, "DETECTOR_HEIGHT", context) or 0.0,
+            read_number(algorithm, parameters, "TARGET_HEIGHT", context) or 0.0,
+        ),
+        notes,
+    )
+
+
+def aperture_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare the field of view and how far it reaches."""
+    return [
+        number(
+            "AZIMUTH_APERTURE", "Azimuth aperture (°)",
+            "Give the full width of the field of view in azimuth, above 0° and up to 360°.",
+            60.0, 0, 360,
+        ),
+        number(
+            "ELEVATION_APERTURE", "Elevation aperture (°)",
+            "Give the full height of the field of view in elevation, above 0° and up to 180°; it "
+            "must not reach past the zenith.",
+            30.0, 0, 180,
+        ),
+        number(
+            "AZIMUTH_PIXELS", "Pixels in azimuth",
+            "Give the number of muogram columns, 1 or more.", 100, 1, whole=True,
+        ),
+        number(
+            "ELEVATION_PIXELS", "Pixels in elevation",
+            "Give the number of muogram rows, 1 or more.", 100, 1, whole=True,
+        ),
+        number(
+            "MAX_RANGE", "Maximum range (m, empty: as far as the DEM)",
+            "Give the largest horizontal distance in m at which rock counts, above 0. Rays still "
+            "in rock there keep the thickness up to it. Empty looks as far as the DEM reaches.",
+            None, 0, advanced=True,
+        ),
+        number(
+            "NEAR_FIELD", "Near field to ignore (m)",
+            "Give the distance in m within which terrain is ignored, 0 or more: for small bumps at "
+            "the detector's foot that a DEM cannot resolve.",
+            0.0, 0, advanced=True,
+        ),
+    ]  # fmt: skip
+
+
+def read_aperture(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Aperture:
+    """Return the field of view.
+
+    Raises
+    ------
+    MuyscError
+        If a width or count cannot be used.
+    """
+    return Aperture(
+        read_number(algorithm, parameters, "AZIMUTH_APERTURE", context) or 0.0,
+        read_number(algorithm, parameters, "ELEVATION_APERTURE", context) or 0.0,
+        read_count(algorithm, parameters, "AZIMUTH_PIXELS", context),
+        read_count(algorithm, parameters, "ELEVATION_PIXELS", context),
+    )

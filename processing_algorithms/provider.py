@@ -1,0 +1,53 @@
+"""The Processing provider."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from qgis.core import Qgis, QgsMessageLog, QgsProcessingProvider
+from qgis.PyQt.QtGui import QIcon
+
+from .base import ROOT
+
+#: Module and class of every algorithm, in the order of the toolbox.
+ALGORITHMS = (
+    ("radiography", "Radiography"),
+    ("muonflux", "MuonFlux"),
+    ("drape", "Drape"),
+)
+
+
+class MuyscProvider(QgsProcessingProvider):
+    """Muon radiography and tomography in the Processing toolbox."""
+
+    def id(self) -> str:
+        return "muysc"
+
+    def name(self) -> str:
+        return "MUYSC"
+
+    def longName(self) -> str:
+        return "MUYSC: muon radiography and tomography"
+
+    def icon(self) -> QIcon:
+        return QIcon(str(ROOT / "icon.svg"))
+
+    def defaultRasterFileExtension(self) -> str:
+        return "tif"
+
+    def supportedOutputRasterLayerExtensions(self) -> list[str]:
+        # Muograms describe themselves in tags that few other formats keep.
+        return ["tif"]
+
+    def loadAlgorithms(self) -> None:
+        for module, name in ALGORITHMS:
+            # One algorithm that cannot be loaded must not take the others down.
+            try:
+                algorithm = getattr(import_module(f".{module}", __package__), name)
+                self.addAlgorithm(algorithm())
+            except Exception as error:
+                QgsMessageLog.logMessage(
+                    f"The algorithm {module} cannot be loaded: {error!r}",
+                    "MUYSC",
+                    Qgis.MessageLevel.Critical,
+                )

@@ -1,0 +1,159 @@
+"""Muon radiography: from a DEM to muograms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterDefinition,
+    QgsRasterLayer,
+)
+
+from ..muysc_qgis.radiography.aperture import Aperture
+from ..muysc_qgis.radiography.settings import Physics
+from ..muysc_qgis.simulation import Simulation, Telescope, check_range, simulate
+from ..muysc_qgis.staging import Staging
+from ..muysc_qgis.topography.sight import Sight
+from .base import MuyscAlgorithm, progress_of
+from .outputs.documents import document_outputs, stage_documents
+from .outputs.footprint import footprint_output, write_footprint
+from .outputs.messages import say
+from .outputs.rasters import raster_outputs, stage_muograms
+from .parameters.physics import (
+    physics_parameters,
+    read_physics,
+    read_telescope,
+    telescope_parameters,
+)
+from .parameters.terrain import dem_parameters, read_dem
+from .parameters.values import read_number
+from .parameters.view import (
+    aperture_parameters,
+    read_aperture,
+    read_sight,
+    sight_parameters,
+)
+
+#: Quantity by output.
+_OUTPUTS = {
+    name.upper(): name
+    for name in (
+        "thickness", "opacity", "minimum_energy", "flux", "open_sky", "transmission", "exposure",
+        "distance",
+    )
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Inputs:
+    layer: QgsRasterLayer
+    sight: Sight
+    notes: list[str]
+    aperture: Aperture
+    max_range_m: float | None
+    near_field_m: float
+    physics: Physics
+    telescope: Telescope
+
+
+class Radiography(MuyscAlgorithm):
+    """The main job: what a telescope sees of a mountain."""
+
+    NAME = "radiography"
+    TITLE = "Muon radiography"
+    GROUP = "Radiography"
+    GROUP_ID = "radiography"
+    TAGS = ("muogram", "thickness", "opacity", "flux", "exposure", "simulation")
+
+    def declare(self) -> list[QgsProcessingParameterDefinition]:
+        return [
+            *dem_parameters(),
+            *sight_parameters(),
+            *aperture_parameters(),
+            *physics_parameters(),
+            *telescope_parameters(),
+            *raster_outputs(_OUTPUTS, always=("THICKNESS", "FLUX")),
+            footprint_output(),
+            *document_outputs(),
+        ]
+
+    def declare_outputs(self) -> None:
+        for name, label in (
+            ("MAX_THICKNESS", "Largest thickness (m)"),
+            ("DETECTOR_ELEVATION", "Detector elevation (m)"),
+            ("BORESIGHT_AZIMUTH", "Boresight azimuth (°)"),
+            ("BORESIGHT_ELEVATION", "Boresight elevation (°)"),
+            ("TARGET_DISTANCE", "Target distance (m)"),
+            ("ROCK_PIXELS", "Pixels with rock"),
+            ("UNKNOWN_PIXELS", "Pixels without a flux"),
+            ("MEDIAN_EXPOSURE", "Median exposure behind rock (days)"),
+        ):
+            self.addOutput(QgsProcessingOutputNumber(name, label))
+
+    def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
+        dem, layer = read_dem(self, parameters, context)
+        sight, notes = read_sight(self, parameters, context, dem, layer)
+        max_range = read_number(self, parameters, "MAX_RANGE", context)
+        near_field = read_number(self, parameters, "NEAR_FIELD", context) or 0.0
+        check_range(max_range, near_field)
+        aperture = read_aperture(self, parameters, context)
+        aperture.directions(sight.boresight_azimuth_deg, sight.boresight_elevation_deg)
+        return _Inputs(
+            layer,
+            sight,
+            notes,
+            aperture,
+            max_range,
+            near_field,
+            read_physics(self, parameters, context),
+            read_telescope(self, parameters, context),
+        )
+
+    def compute(
+        self,
+        inputs: _Inputs,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        staging: Staging,
+    ) -> dict[str, Any]:
+        sight = inputs.sight
+        simulation = simulate(
+            sight,
+            inputs.aperture,
+            inputs.physics,
+            inputs.telescope,
+            inputs.max_range_m,
+            inputs.near_field_m,
+            progress_of(feedback, 0.0, 0.7),
+        )
+        say(feedback, simulation, inputs.notes)
+        files = (sight.frame.dem.path,)
+        results = stage_muograms(
+            self, _OUTPUTS, simulation.muograms, parameters, context, staging, files
+        )
+        results |= stage_documents(
+            self, simulation, parameters, context, feedback, staging, files, sight, inputs.aperture
+        )
+        feedback.setProgress(95)
+        results |= write_footprint(
+            self, simulation, sight, inputs.aperture, inputs.layer.crs(), parameters, context
+        )
+        return results | _numbers(simulation, sight)
+
+
+def _numbers(simulation: Simulation, sight: Sight) -> dict[str, float]:
+    return {
+        "MAX_THICKNESS": simulation.maximum_thickness_m,
+        "DETECTOR_ELEVATION": sight.detector_elevation_m,
+        "BORESIGHT_AZIMUTH": sight.boresight_azimuth_deg,
+        "BORESIGHT_ELEVATION": sight.boresight_elevation_deg,
+        "TARGET_DISTANCE": sight.target_distance_m,
+        "ROCK_PIXELS": simulation.rock_pixels,
+        "UNKNOWN_PIXELS": simulation.unknown_pixels,
+        "MEDIAN_EXPOSURE": simulation.median_exposure_days,
+    }
