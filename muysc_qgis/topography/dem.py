@@ -14,6 +14,10 @@ from .heights import LOWEST_M, PEAK_M, metres_per_unit
 if TYPE_CHECKING:
     from pyproj import CRS
 
+#: A point this little (in cells) outside the outermost cell centres is on them:
+#: 1 mm on a 1 km grid, far above the rounding of coordinates.
+EDGE_CELLS = 1e-6
+
 
 @dataclass(frozen=True)
 class Dem:
@@ -45,10 +49,28 @@ class Dem:
         return Path(self.path).name
 
     @property
+    def _turn(self) -> float:
+        """Full turn of longitude in the units of a geographic CRS: 360°, or 400 grads."""
+        return round(2 * np.pi / float(self.crs.axis_info[0].unit_conversion_factor), 9)
+
+    @property
+    def turn_columns(self) -> int:
+        """Columns after which the raster repeats itself, 0 where it does not.
+
+        That is, where they run once around the globe; the last may be the first
+        again, as in rasters with cell centres from −180 to 180.
+        """
+        _, step_x, skew_x, _, skew_y, _ = self.geotransform
+        if not self.crs.is_geographic or skew_x or skew_y:
+            return 0
+        columns = round(self._turn / abs(step_x))
+        whole = abs(columns * abs(step_x) - self._turn) < 1e-6
+        return columns if whole and self.columns >= columns else 0
+
+    @property
     def wraps(self) -> bool:
-        """Whether the columns run once around the globe."""
-        width = self.columns * self.geotransform[1]
-        return bool(self.crs.is_geographic) and abs(abs(width) - 360.0) < 1e-6
+        """Whether the columns run around the globe."""
+        return self.turn_columns > 0
 
     def grid_position(
         self, x: np.ndarray | float, y: np.ndarray | float
@@ -62,7 +84,7 @@ class Dem:
             # Longitudes count from the raster's middle, so that neither the
             # antimeridian nor 0…360 longitudes break a path.
             middle = (step_x * self.columns + skew_x * self.rows) / 2
-            dx = middle + (dx - middle + 180.0) % 360.0 - 180.0
+            dx = middle + (dx - middle + self._turn / 2) % self._turn - self._turn / 2
         column = (step_y * dx - skew_x * dy) / determinant - 0.5
         row = (step_x * dy - skew_y * dx) / determinant - 0.5
         return column, row
@@ -78,8 +100,9 @@ class Dem:
 
     def contains(self, column: np.ndarray, row: np.ndarray) -> np.ndarray:
         """Return whether grid positions lie on the bilinear surface."""
-        inside_columns = (column >= 0) & (column <= self.columns - 1) | self.wraps
-        return inside_columns & (row >= 0) & (row <= self.rows - 1)
+        right, bottom = self.columns - 1 + EDGE_CELLS, self.rows - 1 + EDGE_CELLS
+        inside_columns = (column >= -EDGE_CELLS) & (column <= right) | self.wraps
+        return inside_columns & (row >= -EDGE_CELLS) & (row <= bottom)
 
     def read(self, column: int, row: int, columns: int, rows: int) -> np.ndarray:
         """Return the heights of a window of cells.
@@ -101,34 +124,54 @@ class Dem:
         MuyscError
             If the file cannot be read or its values cannot be elevations.
         """
-        if self.wraps:
-            column %= self.columns
-            beyond = column + columns - self.columns
+        turn = self.turn_columns
+        if turn:
+            column %= turn
+            beyond = column + columns - turn
             if beyond > 0:
                 parts = (
                     self.read(column, row, columns - beyond, rows),
                     self.read(0, row, beyond, rows),
                 )
                 return np.concatenate(parts, axis=1)
-        band = self._dataset.GetRasterBand(self.band)
-        try:
-            values = band.ReadAsArray(column, row, columns, rows)
-        except RuntimeError as error:
-            raise MuyscError(f"The DEM {self.name} cannot be read: {error}.") from error
-        if values is None:
-            raise MuyscError(f"The DEM {self.name} cannot be read; check that it is complete.")
+        values, unknown = self._read_stored(column, row, columns, rows)
         heights = values.astype(float)
-        unknown = ~np.isfinite(heights)
-        if self.no_data is not None:
-            # Compared in the file's own type: a no-data value such as
-            # −3.4028235e38 need not survive the way through float64.
-            unknown |= values == np.asarray(self.no_data).astype(values.dtype)
+        unknown |= ~np.isfinite(heights)
+        # What is no data may be beyond all bounds: it takes no part.
+        heights[unknown] = np.nan
         heights *= self.scale
         heights += self.offset
-        heights[unknown] = np.nan
         if not unknown.all():
             self._refuse_non_elevation(np.nanmin(heights), np.nanmax(heights))
         return heights
+
+    def _read_stored(
+        self, column: int, row: int, columns: int, rows: int
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return a window as stored, and where the file says that there is no data."""
+        from osgeo import gdal
+
+        band = self._dataset.GetRasterBand(self.band)
+        try:
+            values = band.ReadAsArray(column, row, columns, rows)
+            mask = None
+            if not band.GetMaskFlags() & (gdal.GMF_ALL_VALID | gdal.GMF_NODATA):
+                mask = band.GetMaskBand().ReadAsArray(column, row, columns, rows)
+        except RuntimeError as error:
+            detail = str(error).strip().rstrip(".")
+            raise MuyscError(
+                f"The DEM {self.name} cannot be read ({detail}); check that it is complete."
+            ) from error
+        if values is None:
+            raise MuyscError(f"The DEM {self.name} cannot be read; check that it is complete.")
+        unknown = np.zeros(values.shape, bool) if mask is None else mask == 0
+        if self.no_data is not None:
+            # A band of float32 holds its no-data value rounded, one of whole
+            # numbers holds none that is a fraction or out of its bounds.
+            with np.errstate(over="ignore"):
+                single = values.dtype == np.float32
+                unknown |= values == (np.float32(self.no_data) if single else self.no_data)
+        return values, unknown
 
     def _refuse_non_elevation(self, lowest: float, highest: float) -> None:
         if lowest < LOWEST_M or highest > PEAK_M:
@@ -143,10 +186,10 @@ class Dem:
         """Return the bilinear height (m) at one grid position, NaN if unknown there."""
         if not bool(self.contains(np.asarray(column), np.asarray(row))):
             return float("nan")
-        first_column = min(int(np.floor(column)), self.columns - 2)
-        if self.wraps:
-            first_column = int(np.floor(column))
-        first_row = min(int(np.floor(row)), self.rows - 2)
+        first_column, first_row = int(np.floor(column)), int(np.floor(row))
+        if not self.wraps:
+            first_column = min(max(first_column, 0), self.columns - 2)
+        first_row = min(max(first_row, 0), self.rows - 2)
         corners = self.read(first_column, first_row, 2, 2)
         u, v = column - first_column, row - first_row
         weights = np.outer((1 - v, v), (1 - u, u))
@@ -222,15 +265,20 @@ def open_dem(path: str | Path, band: int = 1, crs: str | None = None, unit: str 
 def _refuse_pictures(dataset: Any, band: Any, name: str) -> None:
     from osgeo import gdal
 
+    if gdal.DataTypeIsComplex(band.DataType):
+        raise MuyscError(
+            f"Band {band.GetBand()} of {name} holds complex numbers "
+            f"({gdal.GetDataTypeName(band.DataType)}), not elevation; choose an elevation raster."
+        )
     colour = band.GetColorInterpretation()
-    if gdal.DataTypeIsComplex(band.DataType) or colour in (
+    if colour in (
         gdal.GCI_PaletteIndex, gdal.GCI_RedBand, gdal.GCI_GreenBand,
         gdal.GCI_BlueBand, gdal.GCI_AlphaBand,
     ):  # fmt: skip
-        kind = gdal.GetColorInterpretationName(colour)
         raise MuyscError(
-            f"Band {band.GetBand()} of {name} is a picture or complex band ({kind}), not "
-            "elevation; choose an elevation raster."
+            f"Band {band.GetBand()} of {name} is a picture "
+            f"({gdal.GetColorInterpretationName(colour)}), not elevation; choose an elevation "
+            "raster."
         )
     if dataset.GetMetadata("MUYSC"):
         raise MuyscError(
@@ -254,10 +302,11 @@ def _crs_of(dataset: Any, override: str | None, name: str) -> CRS:
         raise MuyscError(
             f"The coordinate reference system of the DEM {name} is not understood: {error}."
         ) from error
-    if crs.geodetic_crs is None:
+    horizontal = _horizontal(crs)
+    if crs.geodetic_crs is None or not (horizontal.is_geographic or horizontal.is_projected):
         raise MuyscError(
-            f"The coordinate reference system of the DEM {name} ({crs.name}) is not tied to "
-            "the Earth; assign a geographic or projected one."
+            f"The coordinate reference system of the DEM {name} ({crs.name}) does not map the "
+            "Earth's surface; assign a geographic or projected one."
         )
     return crs
 
