@@ -25,8 +25,15 @@ PATH_STEP_M = 500.0
 def _transformer(source: CRS, target: CRS) -> Transformer:
     """Return a cached transformer; building one costs more than using it."""
     from pyproj import Transformer
+    from pyproj.exceptions import ProjError
 
-    return Transformer.from_crs(source, target, always_xy=True)
+    try:
+        return Transformer.from_crs(source, target, always_xy=True)
+    except ProjError as error:
+        raise MuyscError(
+            f"No transformation leads from {source.name} to {target.name}; assign the raster a "
+            "coordinate reference system on the Earth."
+        ) from error
 
 
 @dataclass(frozen=True)
@@ -175,15 +182,15 @@ def ground_height(dem: Dem, x: float, y: float, what: str) -> float:
         left, top = dem.crs_position(0, 0)
         right, bottom = dem.crs_position(dem.columns - 1, dem.rows - 1)
         raise MuyscError(
-            f"The {what} ({x:.6g}, {y:.6g}) is off the DEM {dem.name}, which spans "
-            f"x {min(left, right):.6g} to {max(left, right):.6g} and "
-            f"y {min(top, bottom):.6g} to {max(top, bottom):.6g} ({dem.crs.name}); move the "
+            f"The {what} ({x:.10g}, {y:.10g}) is off the DEM {dem.name}, which spans "
+            f"x {min(left, right):.10g} to {max(left, right):.10g} and "
+            f"y {min(top, bottom):.10g} to {max(top, bottom):.10g} ({dem.crs.name}); move the "
             f"{what} or choose a larger DEM."
         )
     height = dem.heights_at(float(column), float(row))
     if np.isnan(height):
         raise MuyscError(
-            f"The {what} ({x:.6g}, {y:.6g}) lies where the DEM {dem.name} has no data; "
+            f"The {what} ({x:.10g}, {y:.10g}) lies where the DEM {dem.name} has no data; "
             f"move the {what} or fill the gap."
         )
     return height
