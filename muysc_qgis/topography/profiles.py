@@ -1,7 +1,9 @@
 """Terrain profiles along azimuths, cut where they cross the DEM's grid lines.
 
 Between two cuts a profile lies in one cell of the bilinear surface, where the
-height along a straight path is a quadratic in the distance, exactly.
+height along a straight path is a quadratic in the distance, exactly. Stretches
+that none of a path's rays can meet, because they pass over all ground around or
+under it, are not cut: level ground serves as well.
 """
 
 from __future__ import annotations
@@ -12,17 +14,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..radiography.raytracing import ProfilePieces
-from .dem import Dem
+from .dem import EDGE_CELLS, Dem
 from .frame import PATH_STEP_M, LocalFrame
 from .heights import PEAK_M
+from .level import level_ground, ray_heights
 
 #: Profile pieces in one block: with about 30 arrays of float64, 60 MiB.
 MAX_PIECES = 1 << 18
 #: DEM cells read at a time: 64 MiB of float64.
 MAX_CELLS = 1 << 23
+#: Points of paths laid at a time: with about ten arrays of float64, 80 MiB.
+MAX_KNOTS = 1 << 20
 
 #: Shortest piece kept (m). Two grid lines crossed at once leave slivers in which
-#: slopes are all rounding error.
+#: slopes are all rounding error: the next piece takes their place.
 _SLIVER_M = 1e-6
 #: Heights (m) closer than this to the ground are on it.
 _TOUCH_M = 1e-6
@@ -46,6 +51,9 @@ class Paths:
     end_m: np.ndarray
     #: (n_azimuth,) the user's range where it ends the path, else infinite.
     range_m: np.ndarray
+    #: (n_azimuth,) tangents of the lowest and of the highest ray on each path, None
+    #: where they are not to be relied on.
+    tangents: tuple[np.ndarray, np.ndarray] | None
 
 
 def reach_m(frame: LocalFrame, eye_m: float, lowest_tangent: float) -> float:
@@ -85,6 +93,7 @@ def lay_paths(
     start_m: float,
     reach: float,
     max_range_m: float | None,
+    tangents: tuple[np.ndarray, np.ndarray] | None = None,
 ) -> Paths:
     """Lay the paths of all azimuths over the DEM.
 
@@ -100,6 +109,9 @@ def lay_paths(
         Distance beyond which nothing matters, see `reach_m`.
     max_range_m
         Range set by the user, None for none.
+    tangents
+        (n_azimuth,) of the lowest and of the highest ray on each path: where no ray
+        between them meets the ground, pieces are level. None for all the detail.
     """
     dem = frame.dem
     end = reach if max_range_m is None else min(reach, max_range_m)
@@ -108,8 +120,11 @@ def lay_paths(
         0, 1, max(2, 1 + int(np.ceil((end - start) / PATH_STEP_M)))
     )
     column, row = frame.ground_positions(np.asarray(azimuth_deg)[:, None], knots)
+    # Where the projection ends the path is off the DEM.
+    off = ~(np.isfinite(column) & np.isfinite(row))
+    column[off] = row[off] = np.nan
     if dem.wraps:
-        column = np.unwrap(column, period=dem.columns, axis=1)
+        column = np.unwrap(column, period=dem.turn_columns, axis=1)
     share = np.minimum(
         _share_inside(row, dem.rows - 1),
         np.inf if dem.wraps else _share_inside(column, dem.columns - 1),
@@ -122,18 +137,24 @@ def lay_paths(
     end_m = np.where(any_leaves, at_edge, end)
     by_range = ~any_leaves & (max_range_m is not None and end == max_range_m)
     range_m = np.where(by_range, end, np.inf)
-    return Paths(dem, np.asarray(azimuth_deg), knots, column, row, end_m, range_m)
+    return Paths(dem, np.asarray(azimuth_deg), knots, column, row, end_m, range_m, tangents)
 
 
 def _share_inside(position: np.ndarray, last: int) -> np.ndarray:
     """Return for each knot interval the share of it before leaving 0 … last."""
     start, end = position[:, :-1], position[:, 1:]
     with np.errstate(divide="ignore", invalid="ignore"):
-        over = np.where(end > last, (last - start) / (end - start), np.inf)
-        under = np.where(end < 0, start / (start - end), np.inf)
+        over = np.where(end > last + EDGE_CELLS, (last - start) / (end - start), np.inf)
+        under = np.where(end < -EDGE_CELLS, start / (start - end), np.inf)
     # Positions that cannot be projected are outside.
     share = np.where(np.isfinite(end), np.minimum(over, under), 0.0)
     return np.maximum(np.where(np.isfinite(start), share, 0.0), 0.0)
+
+
+def azimuth_parts(azimuths: int, reach: float) -> list[slice]:
+    """Split azimuths into runs whose paths fit one block of memory."""
+    size = max(1, int(MAX_KNOTS // (2 + reach / PATH_STEP_M)))
+    return [slice(start, min(start + size, azimuths)) for start in range(0, azimuths, size)]
 
 
 def azimuth_groups(paths: Paths) -> list[slice]:
@@ -168,17 +189,25 @@ def profile_pieces(
     frame
         Frame of the detector.
     """
-    rings = [(0, len(paths.knot_m) - 1)]
-    while rings:
-        first, last = rings.pop()
-        if paths.knot_m[first] >= paths.end_m[group].max():
+    stretches = [(group, 0, len(paths.knot_m) - 1)]
+    while stretches:
+        group, first, last = stretches.pop()
+        start = paths.knot_m[first]
+        if start > 0 and start >= paths.end_m[group].max():
             continue
         window = _window(paths, group, first, last)
-        if window[2] * window[3] > MAX_CELLS and last - first > 1:
+        too_large = window[2] * window[3] > MAX_CELLS
+        if too_large and last - first > 1:
             middle = (first + last) // 2
-            rings += [(middle, last), (first, middle)]
-            continue
-        yield _cut(paths, group, first, last, window, eye_m, frame)
+            stretches += [(group, middle, last), (group, first, middle)]
+        elif too_large and group.stop - group.start > 1:
+            half = (group.start + group.stop) // 2
+            stretches += [
+                (slice(half, group.stop), first, last),
+                (slice(group.start, half), first, last),
+            ]
+        else:
+            yield _cut(paths, group, first, last, window, eye_m, frame)
 
 
 def _window(paths: Paths, group: slice, first: int, last: int) -> tuple[int, int, int, int]:
@@ -224,17 +253,26 @@ def _cut(
 ) -> ProfilePieces:
     """Cut a stretch of profiles at every grid line and fit each piece's quadratic."""
     left, top, columns, rows = window
-    heights = paths.dem.read(left, top, columns, rows)
+    ground = paths.dem.read(left, top, columns, rows) - eye_m
     knots = paths.knot_m[first : last + 1]
     intervals = last - first
     u0 = (paths.column[group, first:last] - left).ravel()
     u1 = (paths.column[group, first + 1 : last + 1] - left).ravel()
     v0 = (paths.row[group, first:last] - top).ravel()
     v1 = (paths.row[group, first + 1 : last + 1] - top).ravel()
+    level = np.full(len(u0), np.nan)
+    if paths.tangents is not None:
+        rays = ray_heights(paths.tangents, group, knots, frame)
+        level = level_ground(ground, (u0, u1, v0, v1), rays)
+    detailed = np.isnan(level)
     # One number orders all cuts of all azimuths: interval plus share of it.
     cut = np.sort(
-        np.concatenate([np.arange(len(u0), dtype=float), _crossings(u0, u1), _crossings(v0, v1)])
-    )
+        np.concatenate([
+            np.arange(len(u0), dtype=float),
+            _crossings(u0, np.where(detailed, u1, u0)),
+            _crossings(v0, np.where(detailed, v1, v0)),
+        ])
+    )  # fmt: skip
     interval = cut.astype(np.int64)
     share = cut - interval
     end_share = np.append(share[1:], 1.0)
@@ -242,34 +280,39 @@ def _cut(
     ray = interval // intervals
     step = knots[1] - knots[0]
     base = knots[interval % intervals]
-    start_m = base + step * share
-    end_m = np.minimum(base + step * end_share, paths.end_m[group][ray])
-    keep = end_m - start_m > _SLIVER_M
+    path_end = paths.end_m[group][ray]
+    end_m = np.minimum(base + step * end_share, path_end)
+    keep = end_m - (base + step * share) > _SLIVER_M
+    # A path that ends where it begins still says what is underfoot there.
+    keep |= (path_end <= _SLIVER_M) & np.append(True, ray[1:] != ray[:-1])
     keep &= np.isfinite(u0[interval]) & np.isfinite(u1[interval])
-    interval, share, ray = interval[keep], share[keep], ray[keep]
-    start_m, end_m = start_m[keep], end_m[keep]
+    interval, share, ray, end_m = interval[keep], share[keep], ray[keep], end_m[keep]
+    cut_m = knots[interval % intervals] + step * share
+    begins = np.append(True, ray[1:] != ray[:-1])[: len(ray)]
+    start_m = np.where(begins, knots[0], np.append(0.0, end_m[:-1])[: len(ray)])
 
     du, dv = ((u1 - u0) / step)[interval], ((v1 - v0) / step)[interval]
-    length = end_m - start_m
+    length = end_m - cut_m
     u = u0[interval] + du * (step * share)
     v = v0[interval] + dv * (step * share)
     cell_u = np.clip(np.floor(u + du * length / 2).astype(np.int64), 0, columns - 2)
     cell_v = np.clip(np.floor(v + dv * length / 2).astype(np.int64), 0, rows - 2)
-    flat = heights.ravel()
+    flat = ground.ravel()
     corner = cell_v * columns + cell_u
     h00, h10 = flat[corner], flat[corner + 1]
     h01, h11 = flat[corner + columns], flat[corner + columns + 1]
     u -= cell_u
     v -= cell_v
     slope_u, slope_v, twist = h10 - h00, h01 - h00, h11 - h10 - h01 + h00
-    # Height at a distance x past the start: here + there x + bend x².
-    here = h00 + u * slope_u + v * slope_v + u * v * twist
-    there = du * slope_u + dv * slope_v + (u * dv + v * du) * twist
-    bend = du * dv * twist
+    # Height over the detector at a distance x past the cut: here + there x + bend x².
+    detailed = detailed[interval]
+    here = np.where(detailed, h00 + u * slope_u + v * slope_v + u * v * twist, level[interval])
+    there = np.where(detailed, du * slope_u + dv * slope_v + (u * dv + v * du) * twist, 0.0)
+    bend = np.where(detailed, du * dv * twist, 0.0)
     # A detector on the ground is on it, whatever rounding says.
-    constant_is_rounding = (start_m == 0) & (np.abs(here - eye_m) < _TOUCH_M)
+    constant_is_rounding = (start_m == 0) & (np.abs(here) < _TOUCH_M)
     quadratic = bend - 1 / (2 * frame.radius_m)
-    linear = there - 2 * bend * start_m
-    constant = here - eye_m - there * start_m + bend * start_m**2
+    linear = there - 2 * bend * cut_m
+    constant = here - there * cut_m + bend * cut_m**2
     constant[constant_is_rounding] = 0.0
     return ProfilePieces(ray + group.start, start_m, end_m, constant, linear, quadratic)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from ..progress import Progress, report, silent
-from ..radiography.raytracing import ProfilePieces, RockPaths, rock_along_rays
+from ..radiography.raytracing import Outcome, ProfilePieces, RockPaths, rock_along_rays
 from .frame import LocalFrame
-from .profiles import azimuth_groups, lay_paths, profile_pieces, reach_m
+from .profiles import azimuth_groups, azimuth_parts, lay_paths, profile_pieces, reach_m
 
 
 def trace_terrain(
@@ -58,14 +59,35 @@ def trace_terrain(
     Cancelled
         If `progress` asks for a stop.
     """
-    lowest = float(np.tan(np.radians(np.min(elevation_deg))))
-    reach = reach_m(frame, eye_m, lowest)
-    paths = lay_paths(frame, azimuth_deg, near_field_m, reach, max_range_m)
+    # By azimuth, so that rays traced together need a narrow window of the DEM.
+    order = np.argsort(azimuth_deg, kind="stable")
+    azimuth = np.asarray(azimuth_deg, float)[order]
+    elevation = np.asarray(elevation_deg, float)
+    if elevation.ndim > 1:
+        elevation = elevation[order]
+    tangent = np.tan(np.radians(elevation))
+    lowest = np.broadcast_to(tangent.min(axis=-1), azimuth.shape)
+    highest = np.broadcast_to(tangent.max(axis=-1), azimuth.shape)
+    reach = reach_m(frame, eye_m, float(lowest.min()))
+    farthest = reach if max_range_m is None else min(reach, max_range_m)
+    range_m = np.full(len(azimuth), np.inf)  # known when the paths are laid
 
-    def blocks() -> Iterator[ProfilePieces]:
-        for group in azimuth_groups(paths):
-            for pieces in profile_pieces(paths, group, eye_m, frame):
-                report(progress, group.start / len(paths.end_m))
-                yield pieces
+    def blocks(tangents: tuple[np.ndarray, np.ndarray] | None) -> Iterator[ProfilePieces]:
+        for part in azimuth_parts(len(azimuth), farthest):
+            rays = None if tangents is None else (tangents[0][part], tangents[1][part])
+            paths = lay_paths(frame, azimuth[part], near_field_m, reach, max_range_m, rays)
+            range_m[part] = paths.range_m
+            for group in azimuth_groups(paths):
+                for pieces in profile_pieces(paths, group, eye_m, frame):
+                    report(progress, (part.start + group.start) / len(azimuth))
+                    yield replace(pieces, ray=pieces.ray + part.start)
 
-    return rock_along_rays(blocks(), elevation_deg, paths.range_m)
+    rock = rock_along_rays(blocks((lowest, highest)), elevation, range_m)
+    if np.any(rock.outcome == Outcome.NO_DATA):
+        # Rays over gaps are judged by the highest ground on the profiles, and level
+        # pieces are somewhat higher: once more with all the detail.
+        rock = rock_along_rays(blocks(None), elevation, range_m)
+    back = np.argsort(order)
+    return RockPaths(
+        rock.thickness_m[back], rock.distance_m[back], rock.exit_m[back], rock.outcome[back]
+    )
