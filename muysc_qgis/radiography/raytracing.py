@@ -322,8 +322,11 @@ def _finish(
         tally.first[ray_index, ~clear & (tally.first[ray_index] > start)] = np.inf
 
     known = outcome <= Outcome.TRUNCATED
+    # A ray that only touches the ground meets no rock.
+    touches = known & (tally.length == 0)
+    meets = np.isfinite(tally.first) & ~touches
     with np.errstate(invalid="ignore"):
         thickness = np.where(known, tally.length / cosine, np.nan)
-        distance = np.where(np.isfinite(tally.first), tally.first / cosine, np.nan)
-        leave = np.where(known & np.isfinite(tally.last), tally.last / cosine, np.nan)
+        distance = np.where(meets, tally.first / cosine, np.nan)
+        leave = np.where(known & meets, tally.last / cosine, np.nan)
     return RockPaths(thickness, distance, leave, outcome)
