@@ -1,0 +1,62 @@
+"""Scale bar and north arrow of a map in kilometres."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from . import style, ticks
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+#: Share of the map's width that the scale bar takes at most.
+_LONGEST = 0.25
+
+#: Lower left corner of the bar, as a share of the map.
+_LEFT, _BOTTOM = 0.03, 0.035
+
+
+def bar_length(longest: float) -> float:
+    """Return the largest 1, 2 or 5 × 10ⁿ that is not above `longest`."""
+    decade = 10.0 ** np.floor(np.log10(longest))
+    return float(max(m * decade for m in (1, 2, 5) if m * decade <= longest * (1 + 1e-9)))
+
+
+def draw_scale_bar(axes: Axes) -> None:
+    """Draw a bar of a round length at the lower left; the limits must be set."""
+    from matplotlib.patches import Rectangle
+
+    west, east = axes.get_xlim()
+    length = bar_length(_LONGEST * (east - west))
+    share = length / (east - west)
+    look = {"transform": axes.transAxes, "zorder": 8}
+    axes.add_patch(
+        Rectangle(
+            (_LEFT - 0.015, _BOTTOM - 0.018), share + 0.03, 0.075,
+            facecolor="white", alpha=0.8, **look,
+        )
+    )  # fmt: skip
+    for part, colour in ((0, style.INK), (1, "white")):
+        axes.add_patch(
+            Rectangle(
+                (_LEFT + part * share / 2, _BOTTOM), share / 2, 0.01,
+                facecolor=colour, edgecolor=style.INK, linewidth=0.6, **look,
+            )
+        )  # fmt: skip
+    text = f"{ticks.number_label(length)} km" if length >= 1 else f"{length * 1e3:.4g} m"
+    axes.text(
+        _LEFT + share / 2, _BOTTOM + 0.017, text,
+        ha="center", va="bottom", fontsize=style.TICK_SIZE, color=style.INK, **look,
+    )  # fmt: skip
+
+
+def draw_north(axes: Axes) -> None:
+    """Draw an arrow to the north at the upper right."""
+    axes.annotate(
+        "N", xy=(0.955, 0.975), xytext=(0.955, 0.885), xycoords="axes fraction",
+        ha="center", va="center", fontsize=style.HEADING_SIZE, fontweight="bold", color=style.INK,
+        arrowprops={"arrowstyle": "-|>", "color": style.INK, "linewidth": 1.4},
+        bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 2}, zorder=8,
+    )  # fmt: skip
