@@ -19,14 +19,12 @@ _ROUNDING = 1e-6
 
 
 def colour_map(quantity: Quantity) -> Colormap:
-    """Return the colours of a quantity from low to high; NaN is transparent."""
+    """Return the colours of a quantity from low to high."""
     from matplotlib.colors import LinearSegmentedColormap
 
-    colours = LinearSegmentedColormap.from_list(
+    return LinearSegmentedColormap.from_list(
         quantity.colours, COLOUR_STOPS[quantity.colours], N=256
     )
-    colours.set_bad((0.0, 0.0, 0.0, 0.0))
-    return colours
 
 
 def colour_scale(values: np.ndarray, quantity: Quantity) -> ScalarMappable:
