@@ -1,0 +1,194 @@
+"""The catalogue of sea-level muon spectra, and the one way to evaluate any of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from .constants import MUON_MASS_GEV
+from .gaisser import GAISSER_PARAMETERS, GaisserParameters, gaisser, gaisser_tang, guan
+from .reyna import BUGAEV_BREAKS_GEV, bugaev, reyna_bugaev, reyna_hebbeker
+
+
+@dataclass(frozen=True)
+class SpectrumModel:
+    """A parametrised spectrum, what it was made for and where it comes from."""
+
+    name: str
+    title: str
+    citation: str
+    #: dI/dE in cm⁻² s⁻¹ sr⁻¹ GeV⁻¹ of total energy (GeV), momentum (GeV/c), cosine of
+    #: the zenith angle and Gaisser's constants; models that need fewer ignore the rest.
+    evaluate: Callable[[np.ndarray, np.ndarray, np.ndarray, GaisserParameters], np.ndarray]
+    #: Range of total energy in GeV that the model was made for …
+    lower_gev: float
+    upper_gev: float
+    #: … and whether these limits are to be divided by the cosine of the zenith angle.
+    lower_per_cosine: bool
+    upper_per_cosine: bool
+    #: Largest zenith angle in degrees that the model was made for.
+    maximum_zenith_deg: float
+    #: Whether the constants of Gaisser's formula can be chosen.
+    takes_parameters: bool = False
+    #: Momenta in GeV/c at which the spectrum is continuous but not smooth.
+    breaks_gev: tuple[float, ...] = ()
+
+    def energy_range_gev(
+        self, cos_zenith: np.ndarray, parameters: GaisserParameters
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return the lowest and the highest total energy, GeV, in the model's range.
+
+        Parameters
+        ----------
+        cos_zenith
+            Cosine of the zenith angle, any shape, above 0.
+        parameters
+            Constants of Gaisser's formula, whose own range counts where they are used.
+        """
+        lower, upper = self.lower_gev, self.upper_gev
+        if self.takes_parameters:
+            upper = parameters.fitted_to_gev
+            # The low-energy extension of the Tang form belongs to constants that
+            # hold from 100 GeV; sets fitted higher up do not hold below their fit.
+            if parameters.fitted_from_gev > GAISSER_PARAMETERS["gaisser"].fitted_from_gev:
+                lower = max(lower, parameters.fitted_from_gev)
+        cos_zenith = np.asarray(cos_zenith, dtype=float)
+        one = np.ones_like(cos_zenith)
+        return (
+            lower / cos_zenith if self.lower_per_cosine else lower * one,
+            upper / cos_zenith if self.upper_per_cosine else upper * one,
+        )
+
+
+#: Every spectrum by its name in the interface.
+MODELS = {
+    model.name: model
+    for model in (
+        SpectrumModel(
+            "gaisser",
+            "Gaisser",
+            "Gaisser (1990), Cosmic Rays and Particle Physics, Cambridge University Press",
+            lambda energy, momentum, cosine, parameters: gaisser(energy, cosine, parameters),
+            lower_gev=100.0,
+            upper_gev=1e5,
+            lower_per_cosine=True,
+            upper_per_cosine=False,
+            maximum_zenith_deg=70.0,
+            takes_parameters=True,
+        ),
+        SpectrumModel(
+            "gaisser-tang",
+            "Gaisser–Tang",
+            "Tang et al. (2006), doi:10.1103/PhysRevD.74.053007",
+            lambda energy, momentum, cosine, parameters: gaisser_tang(energy, cosine, parameters),
+            # Below 1 GeV/cosθ* Tang et al. change the formula once more; the form
+            # used here runs on and is then too high near the horizon.
+            lower_gev=1.0,
+            upper_gev=1e5,
+            lower_per_cosine=True,
+            upper_per_cosine=False,
+            maximum_zenith_deg=90.0,
+            takes_parameters=True,
+        ),
+        SpectrumModel(
+            "bugaev",
+            "Bugaev",
+            "Bugaev et al. (1998), doi:10.1103/PhysRevD.58.054001",
+            lambda energy, momentum, cosine, parameters: (
+                bugaev(momentum) * energy / momentum * np.ones_like(cosine)
+            ),
+            lower_gev=1.0,
+            upper_gev=np.inf,
+            lower_per_cosine=False,
+            upper_per_cosine=False,
+            # A spectrum of vertical muons; cos²θ falls by 3 % over 10°.
+            maximum_zenith_deg=10.0,
+            breaks_gev=BUGAEV_BREAKS_GEV,
+        ),
+        SpectrumModel(
+            "reyna-bugaev",
+            "Reyna–Bugaev",
+            "Reyna (2006), arXiv:hep-ph/0604145",
+            lambda energy, momentum, cosine, parameters: (
+                reyna_bugaev(momentum, cosine) * energy / momentum
+            ),
+            lower_gev=1.0,
+            upper_gev=2000.0,
+            lower_per_cosine=False,
+            upper_per_cosine=True,
+            maximum_zenith_deg=90.0,
+        ),
+        SpectrumModel(
+            "reyna-hebbeker",
+            "Reyna–Hebbeker",
+            "Hebbeker & Timmermans (2002), doi:10.1016/S0927-6505(01)00180-3, inclined as "
+            "in Reyna (2006), arXiv:hep-ph/0604145",
+            lambda energy, momentum, cosine, parameters: (
+                reyna_hebbeker(momentum, cosine) * energy / momentum
+            ),
+            lower_gev=10.0,
+            upper_gev=1e4,
+            lower_per_cosine=True,
+            upper_per_cosine=True,
+            maximum_zenith_deg=90.0,
+        ),
+        SpectrumModel(
+            "guan",
+            "Guan et al.",
+            "Guan et al. (2015), arXiv:1509.06176",
+            lambda energy, momentum, cosine, parameters: guan(energy, cosine),
+            lower_gev=1.0,
+            upper_gev=1e5,
+            lower_per_cosine=False,
+            upper_per_cosine=False,
+            maximum_zenith_deg=90.0,
+        ),
+    )
+}
+
+
+def momentum_from_kinetic(kinetic_energy_gev: np.ndarray) -> np.ndarray:
+    """Return the momentum in GeV/c of muons of a kinetic energy in GeV: p² = T (T + 2m)."""
+    return np.sqrt(kinetic_energy_gev * (kinetic_energy_gev + 2.0 * MUON_MASS_GEV))
+
+
+def kinetic_from_momentum(momentum_gev: np.ndarray) -> np.ndarray:
+    """Return the kinetic energy in GeV of muons of a momentum in GeV/c."""
+    # p²/(E + m) = E − m, without the cancellation at low momentum.
+    return np.square(momentum_gev) / (np.hypot(momentum_gev, MUON_MASS_GEV) + MUON_MASS_GEV)
+
+
+def differential_flux(
+    kinetic_energy_gev: np.ndarray,
+    cos_zenith: np.ndarray,
+    model: str = "gaisser-tang",
+    gaisser_parameters: str = "gaisser",
+) -> np.ndarray:
+    """Return the differential muon flux at sea level.
+
+    Parameters
+    ----------
+    kinetic_energy_gev
+        Kinetic energy in GeV, above 0.
+    cos_zenith
+        Cosine of the zenith angle, above 0; broadcasts with the energy.
+    model
+        Key of `MODELS`.
+    gaisser_parameters
+        Key of `GAISSER_PARAMETERS`, for the models that take them.
+
+    Returns
+    -------
+    numpy.ndarray
+        dI/dE in cm⁻² s⁻¹ sr⁻¹ GeV⁻¹, of the broadcast shape. Spectra defined in
+        momentum are converted by dI/dE = dI/dp · E/p.
+    """
+    kinetic_energy_gev = np.asarray(kinetic_energy_gev, dtype=float)
+    return MODELS[model].evaluate(
+        kinetic_energy_gev + MUON_MASS_GEV,
+        momentum_from_kinetic(kinetic_energy_gev),
+        np.asarray(cos_zenith, dtype=float),
+        GAISSER_PARAMETERS[gaisser_parameters],
+    )

@@ -1,0 +1,117 @@
+"""Counting the rays that leave the range a formula was made for, and saying so."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+import numpy as np
+
+from .altitude import MAXIMUM_ALTITUDE_M, MINIMUM_MOMENTUM_GEV
+from .constants import MUON_MASS_GEV
+from .energy_loss import LESPARRE_LIMIT_GEV
+from .gaisser import GAISSER_PARAMETERS
+from .materials import MATERIALS
+from .settings import Physics
+from .spectra import MODELS, kinetic_from_momentum
+from .straggling import maximum_opacity_g_cm2
+
+#: A spectrum asked just below its range is off by its own uncertainty, one asked from
+#: this factor below by tens of percent; the open sky is named only then.
+OPEN_SKY_SLACK = 4.0
+
+
+def count_departures(
+    opacity_g_cm2: np.ndarray,
+    cos_zenith: np.ndarray,
+    minimum_energy_gev: np.ndarray,
+    open_sky_start_gev: float,
+    physics: Physics,
+    altitude_m: float,
+) -> Counter[str]:
+    """Count the rays outside what the chosen formulas were made for.
+
+    Parameters
+    ----------
+    opacity_g_cm2, cos_zenith, minimum_energy_gev
+        Opacity in g/cm², cosine of the zenith angle and minimum kinetic energy in GeV;
+        arrays that broadcast. Rays without an answer are not counted.
+    open_sky_start_gev
+        Kinetic energy in GeV from which the open sky counts.
+    physics
+        The formulas.
+    altitude_m
+        Height of the detector above sea level, m.
+    """
+    model = MODELS[physics.flux_model]
+    answered = (cos_zenith > 0) & np.isfinite(minimum_energy_gev)
+    rock = answered & (opacity_g_cm2 > 0)
+    start = np.fmax(minimum_energy_gev, open_sky_start_gev)
+    cosine = np.where(cos_zenith > 0, cos_zenith, 1.0)
+    lower, upper = model.energy_range_gev(cosine, GAISSER_PARAMETERS[physics.gaisser_parameters])
+    open_sky = open_sky_start_gev + MUON_MASS_GEV
+    conditions = {
+        "zenith": answered & (cosine < np.cos(np.radians(model.maximum_zenith_deg + 1e-9))),
+        "below": rock & (start + MUON_MASS_GEV < lower),
+        "above": rock & (start + MUON_MASS_GEV > upper),
+        "open sky": answered & (OPEN_SKY_SLACK * open_sky < lower),
+    }
+    if physics.altitude_correction and altitude_m != 0:
+        conditions["altitude momentum"] = answered & (
+            start < kinetic_from_momentum(np.array(MINIMUM_MOMENTUM_GEV))
+        )
+        if altitude_m > MAXIMUM_ALTITUDE_M:
+            conditions["altitude"] = answered
+    if physics.energy_loss != "csda":
+        conditions["lesparre"] = rock & (minimum_energy_gev > LESPARRE_LIMIT_GEV)
+        if physics.material != "standard_rock":
+            conditions["lesparre material"] = rock
+    if physics.straggling:
+        conditions["straggling"] = rock & (opacity_g_cm2 > maximum_opacity_g_cm2(physics.material))
+    return Counter({name: int(np.count_nonzero(where)) for name, where in conditions.items()})
+
+
+def sentences(counts: Mapping[str, int], physics: Physics, altitude_m: float) -> tuple[str, ...]:
+    """Return one sentence for every kind of departure that was counted."""
+    model = MODELS[physics.flux_model]
+    parameters = GAISSER_PARAMETERS[physics.gaisser_parameters]
+    title = model.title
+    if model.takes_parameters:
+        title += f" ({parameters.title})"
+    lower, upper = (float(limit) for limit in model.energy_range_gev(np.array(1.0), parameters))
+    lower_text = f"{lower:g} GeV" + ("/cosθ" if model.lower_per_cosine else "")
+    upper_text = f"{upper:g} GeV" + ("/cosθ" if model.upper_per_cosine else "")
+    loss = "polynomial of Lesparre et al."
+    texts = {
+        "opacity": "{} of unknown opacity: no flux.",
+        "horizon": "{} at or below the horizon, where no flux model has an answer: no flux.",
+        "energy loss": (
+            f"{{}} through more rock than the energy loss “{physics.energy_loss}” has an answer "
+            "for: no minimum energy, no flux."
+        ),
+        "zenith": f"{{}} beyond the {model.maximum_zenith_deg:g}° from the zenith that the flux "
+        f"model {title} is made for.",
+        "below": f"{{}} with a minimum energy below the {lower_text} from which the flux model "
+        f"{title} holds.",
+        "above": f"{{}} with a minimum energy above the {upper_text} up to which the flux model "
+        f"{title} holds.",
+        "open sky": f"{{}} whose open sky starts far below the {lower_text} from which the flux "
+        f"model {title} holds: open sky and transmission are rough there; set a detection "
+        "threshold or choose another model.",
+        "altitude": f"{{}} at {altitude_m:.0f} m: the altitude correction is made for up to "
+        f"{MAXIMUM_ALTITUDE_M:g} m.",
+        "altitude momentum": "{} whose muons start below the "
+        f"{MINIMUM_MOMENTUM_GEV:g} GeV/c from which the altitude correction holds.",
+        "lesparre": f"{{}} with a minimum energy above the {LESPARRE_LIMIT_GEV:g} GeV up to which "
+        f"the {loss} holds.",
+        "lesparre material": f"{{}} through {MATERIALS[physics.material].title.lower()}, while the "
+        f"{loss} is made for standard rock.",
+        "straggling": "{} through more than the "
+        f"{maximum_opacity_g_cm2(physics.material):.3g} g/cm² up to which the straggling "
+        "correction is known.",
+    }
+    return tuple(
+        text.format("1 ray" if counts[name] == 1 else f"{counts[name]} rays")
+        for name, text in texts.items()
+        if counts.get(name, 0) > 0
+    )
