@@ -293,8 +293,11 @@ def _highest(pieces: ProfilePieces) -> float:
     """Return the highest known ground above the detector, curvature drop included."""
     if not len(pieces.ray):
         return -np.inf
-    start = pieces.constant + (pieces.linear + pieces.quadratic * pieces.start_m) * pieces.start_m
-    return float(np.max(start, initial=-np.inf, where=np.isfinite(start)))
+    height = np.concatenate([
+        pieces.constant + (pieces.linear + pieces.quadratic * distance) * distance
+        for distance in (pieces.start_m, pieces.end_m)
+    ])  # fmt: skip
+    return float(np.max(height, initial=-np.inf, where=np.isfinite(height)))
 
 
 def _finish(
