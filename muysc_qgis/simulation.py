@@ -16,7 +16,7 @@ from .errors import MuyscError
 from .muogram import Muogram
 from .progress import Progress, part, report, silent
 from .radiography.aperture import Aperture
-from .radiography.counting import exposure_days
+from .radiography.counting import check_positive, exposure_days
 from .radiography.raytracing import Outcome
 from .radiography.settings import Physics
 from .radiography.transmission import attenuate
@@ -27,6 +27,13 @@ from .topography.tracing import trace_terrain
 #: Opacity (g/cm²) of 1 m of matter of 1 g/cm³.
 G_CM2_PER_M = 100.0
 
+#: What the log says of rays without a flux, by cause.
+_CAUSES = {
+    "opacity": "the thickness is unknown",
+    "horizon": "the ray points at or below the horizon, where no flux model has an answer",
+    "energy loss": "the energy loss has no answer for so much rock",
+}
+
 #: Shares of the progress bar.
 _TRACED = 0.7
 
@@ -36,12 +43,22 @@ _BEYOND = 1.1
 
 @dataclass(frozen=True)
 class Telescope:
-    """What turns a flux into counts."""
+    """What turns a flux into counts.
+
+    Raises
+    ------
+    MuyscError
+        If a number is not above 0 and finite.
+    """
 
     #: cm² sr of one pixel.
     acceptance_cm2_sr: float = 6.0
     #: Muons wanted in each pixel.
     muons: float = 10.0
+
+    def __post_init__(self) -> None:
+        check_positive(self.acceptance_cm2_sr, "acceptance in cm² sr")
+        check_positive(self.muons, "number of muons")
 
 
 @dataclass(frozen=True)
@@ -139,7 +156,8 @@ def simulate(
         {
             "the ray reaches the edge of the DEM in rock": int(counts[Outcome.EDGE]),
             "the ray passes a gap in the DEM": int(counts[Outcome.NO_DATA]),
-            **result.unknown,
+            # The two above say why a thickness is unknown.
+            **{k: n for k, n in result.unknown.items() if k != _CAUSES["opacity"]},
         },
     )
 
@@ -219,7 +237,7 @@ def through_rock(
     return Simulation(
         {name: rock.with_values(name, array, **metadata) for name, array in values.items()},
         warnings,
-        muons.unknown,
+        {_CAUSES[cause]: count for cause, count in muons.unanswered.items()},
     )
 
 

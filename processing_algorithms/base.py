@@ -10,13 +10,14 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeedback,
+    QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
 )
 from qgis.PyQt.QtGui import QIcon
 
 from ..muysc_qgis.errors import Cancelled, MuyscError
 from ..muysc_qgis.progress import Progress
-from ..muysc_qgis.staging import Staging
+from ..muysc_qgis.staging import Staging, check_destination
 
 ROOT = Path(__file__).resolve().parent.parent
 HELP_FOLDER = Path(__file__).parent / "help"
@@ -121,6 +122,7 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         try:
             with Staging() as staging:
                 inputs = self.read(parameters, context)
+                self._check_destinations(parameters)
                 results = self.compute(inputs, parameters, context, feedback, staging)
                 staging.commit()
         except MuyscError as error:
@@ -132,6 +134,18 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
                 "There is not enough memory for this; use fewer pixels or a shorter range."
             ) from None
         return {name: _plain(value) for name, value in results.items()}
+
+    def _check_destinations(self, parameters: dict[str, Any]) -> None:
+        """Refuse destinations that cannot be written before anything is computed."""
+        for definition in self.parameterDefinitions():
+            value = parameters.get(definition.name())
+            if isinstance(value, QgsProcessingOutputLayerDefinition):
+                value = value.sink.staticValue()
+            if definition.isDestination() and isinstance(value, str):
+                path = Path(value)
+                # Other values name databases, memory layers or temporary files.
+                if path.is_absolute() or path.suffix:
+                    check_destination(path.absolute())
 
     def _warn_of_undeclared(
         self, parameters: dict[str, Any], feedback: QgsProcessingFeedback

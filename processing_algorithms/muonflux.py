@@ -135,7 +135,7 @@ class MuonFlux(MuyscAlgorithm):
             self, _OUTPUTS, simulation.muograms, parameters, context, staging, files
         )
         results |= stage_documents(
-            self, simulation, parameters, context, feedback, staging, files
+            self, simulation, results, parameters, context, feedback, staging, files
         )
         return results | {
             "MAX_THICKNESS": simulation.maximum_thickness_m,

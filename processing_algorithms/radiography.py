@@ -137,7 +137,16 @@ class Radiography(MuyscAlgorithm):
             self, _OUTPUTS, simulation.muograms, parameters, context, staging, files
         )
         results |= stage_documents(
-            self, simulation, parameters, context, feedback, staging, files, sight, inputs.aperture
+            self,
+            simulation,
+            results,
+            parameters,
+            context,
+            feedback,
+            staging,
+            files,
+            sight,
+            inputs.aperture,
         )
         feedback.setProgress(95)
         results |= write_footprint(

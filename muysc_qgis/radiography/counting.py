@@ -31,8 +31,8 @@ def exposure_days(
     MuyscError
         If the acceptance or the number of muons is not above 0 and finite.
     """
-    _check_positive(acceptance_cm2_sr, "acceptance in cm² sr")
-    _check_positive(muons, "number of muons")
+    check_positive(acceptance_cm2_sr, "acceptance in cm² sr")
+    check_positive(muons, "number of muons")
     rate = np.asarray(flux_per_cm2_sr_day, dtype=float) * acceptance_cm2_sr
     return muons / np.where(rate > 0, rate, np.nan)
 
@@ -68,8 +68,8 @@ def feasibility_days(
     MuyscError
         If the acceptance or the significance is not above 0 and finite.
     """
-    _check_positive(acceptance_cm2_sr, "acceptance in cm² sr")
-    _check_positive(sigma, "significance in standard deviations")
+    check_positive(acceptance_cm2_sr, "acceptance in cm² sr")
+    check_positive(sigma, "significance in standard deviations")
     flux = np.asarray(flux_per_cm2_sr_day, dtype=float)
     difference = np.asarray(changed_flux_per_cm2_sr_day, dtype=float) - flux
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -97,7 +97,7 @@ def relative_density_error(counts: np.ndarray, slope: np.ndarray) -> np.ndarray:
     return 1.0 / np.sqrt(np.where(counts > 0, counts, np.nan)) / np.where(slope > 0, slope, np.nan)
 
 
-def _check_positive(value: float | np.ndarray, name: str) -> None:
+def check_positive(value: float | np.ndarray, name: str) -> None:
     """Refuse what is not above 0 and finite; NaN among several values is unknown, not wrong."""
     values = np.asarray(value, dtype=float)
     bad = values[~((values > 0) & (values < np.inf)) & ~(np.isnan(values) & (values.ndim > 0))]

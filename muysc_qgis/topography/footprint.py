@@ -41,9 +41,7 @@ def aperture_outline(azimuth_deg: np.ndarray, width_deg: float, radius_m: float)
     )
 
 
-def ground_seen(
-    azimuth_deg: np.ndarray, distance_m: np.ndarray, width_deg: float
-) -> list[Outline]:
+def ground_seen(azimuth_deg: np.ndarray, distance_m: np.ndarray, width_deg: float) -> list[Outline]:
     """Return, for each run of azimuths with rock, the band between the nearest and the
     farthest rock face seen.
 

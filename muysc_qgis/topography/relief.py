@@ -49,15 +49,16 @@ def relief_around(
     dem = frame.dem
     step = max(east_m[1] - east_m[0], north_m[1] - north_m[0]) / pixels
     try:
+        band = gdal.Translate("", dem.path, format="VRT", bandList=[dem.band])
         # Averaging keeps a coarse picture of a fine DEM free of moiré; the warper
         # reads overviews and only what the rectangle needs.
         warped = gdal.Warp(
-            "", dem.path, format="MEM", dstSRS=frame.equidistant_wkt(), srcSRS=dem.crs.to_wkt(),
+            "", band, format="MEM", dstSRS=frame.equidistant_wkt(), srcSRS=dem.crs.to_wkt(),
             outputBounds=(east_m[0], north_m[0], east_m[1], north_m[1]), xRes=step, yRes=step,
-            outputType=gdal.GDT_Float32, dstNodata=float("nan"), srcBands=[dem.band],
+            outputType=gdal.GDT_Float32, dstNodata=float("nan"),
             resampleAlg="average" if step > dem_cell_m(frame) else "bilinear",
         )  # fmt: skip
-    except (RuntimeError, TypeError) as error:
+    except RuntimeError as error:
         raise MuyscError(f"The DEM {dem.name} cannot be drawn: {error}.") from error
     heights = warped.GetRasterBand(1).ReadAsArray().astype(float)[::-1]
     rows, columns = heights.shape
@@ -71,7 +72,5 @@ def relief_around(
 def dem_cell_m(frame: LocalFrame) -> float:
     """Return the size (m) of a DEM cell at the detector: the geometric mean of its sides."""
     column, row = frame.ground_positions(np.zeros(1), np.zeros(1))
-    _, side = frame.polar(
-        np.array([column[0] + 1, column[0]]), np.array([row[0], row[0] + 1])
-    )
+    _, side = frame.polar(np.array([column[0] + 1, column[0]]), np.array([row[0], row[0] + 1]))
     return float(np.sqrt(side[0] * side[1]))

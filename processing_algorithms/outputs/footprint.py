@@ -32,9 +32,7 @@ NAME = "FIELD_OF_VIEW"
 def footprint_output() -> QgsProcessingParameterDefinition:
     """Declare the field of view."""
     return explained(
-        QgsProcessingParameterFeatureSink(
-            NAME, "Field of view", VECTOR_POLYGON, None, True, True
-        ),
+        QgsProcessingParameterFeatureSink(NAME, "Field of view", VECTOR_POLYGON, None, True, True),
         "Polygons on the map: the sector that the aperture covers, and within it the ground seen, "
         "from the nearest to the farthest rock face along each azimuth.",
     )
@@ -65,13 +63,9 @@ def write_footprint(
         ("distance_from_m", float), ("distance_to_m", float),
     ):  # fmt: skip
         fields.append(field(name, kind))
-    sink, identifier = algorithm.parameterAsSink(
-        parameters, NAME, context, fields, POLYGON, crs
-    )
+    sink, identifier = algorithm.parameterAsSink(parameters, NAME, context, fields, POLYGON, crs)
     if sink is None:
-        raise MuyscError(
-            f"{NAME} cannot be written to “{parameters[NAME]}”; choose another place."
-        )
+        raise MuyscError(f"{NAME} cannot be written to “{parameters[NAME]}”; choose another place.")
     half = aperture.elevation_width_deg / 2
     elevations = (sight.boresight_elevation_deg - half, sight.boresight_elevation_deg + half)
     sector, seen = outlines(simulation, sight, aperture)
@@ -95,8 +89,6 @@ def write_footprint(
 
 def _polygon(outline: Outline, sight: Sight) -> QgsGeometry:
     frame = sight.frame
-    x, y = frame.dem.crs_position(
-        *frame.ground_positions(outline.azimuth_deg, outline.distance_m)
-    )
+    x, y = frame.dem.crs_position(*frame.ground_positions(outline.azimuth_deg, outline.distance_m))
     ring = [QgsPointXY(float(px), float(py)) for px, py in zip(x, y)]
     return QgsGeometry.fromPolygonXY([[*ring, ring[0]]])

@@ -9,9 +9,7 @@ from qgis.core import QgsProcessingFeedback
 from ...muysc_qgis.simulation import Simulation
 
 
-def say(
-    feedback: QgsProcessingFeedback, simulation: Simulation, notes: Iterable[str] = ()
-) -> None:
+def say(feedback: QgsProcessingFeedback, simulation: Simulation, notes: Iterable[str] = ()) -> None:
     """Log notes, the pixels that cannot be known by cause, and every warning."""
     for note in notes:
         feedback.pushInfo(note)

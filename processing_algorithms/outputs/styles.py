@@ -63,9 +63,7 @@ def write_style(path: Path, values: np.ndarray, quantity: Quantity) -> None:
     path.write_text(document.toString(2), encoding="utf-8")
 
 
-def _colour_items(
-    values: np.ndarray, quantity: Quantity
-) -> list[QgsColorRampShader.ColorRampItem]:
+def _colour_items(values: np.ndarray, quantity: Quantity) -> list[QgsColorRampShader.ColorRampItem]:
     """Return values with colours and labels, evenly spaced on the quantity's scale."""
     low, high = colour_limits(values, quantity)
     colours = COLOUR_STOPS[quantity.colours]

@@ -28,7 +28,7 @@ def dem_parameters() -> list[QgsProcessingParameterDefinition]:
             "detector, the target and all rock behind it. Cells without data count as unknown.",
         ),
         explained(
-            QgsProcessingParameterBand("BAND", "Band of the heights", 1, "DEM"),
+            QgsProcessingParameterBand("BAND", "Band of the heights", 1, "DEM", True),
             "Number of the raster band that holds the heights, from 1.",
         ),
         choice(

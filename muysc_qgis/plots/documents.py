@@ -1,0 +1,236 @@
+"""Panel and report of one simulation: what is drawn and told, in which order."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import __version__
+from ..muogram import Muogram
+from ..radiography.aperture import Aperture
+from ..radiography.energy_loss import ENERGY_LOSSES
+from ..radiography.spectra import MODELS
+from ..simulation import Simulation, outlines
+from ..topography.footprint import Outline
+from ..topography.relief import relief_around
+from ..topography.section import terrain_section
+from ..topography.sight import Sight
+from .overview_map import Relief, overview_map
+from .panel import muogram_panel, summary_panel
+from .profile import section_panel
+from .rays import Ray
+from .report import Citation, OutputFile, PixelCount, Report, ReportFigure, Row
+from .style import png_bytes
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: Quantities of the second figure, as far as a simulation has them.
+_FURTHER = ("opacity", "minimum_energy", "open_sky", "transmission", "exposure", "distance")
+#: Resolution (dots per inch) of figures in the report, read on screens.
+_REPORT_DPI = 110
+#: Margin of the map around what it shows, as a share of its size.
+_MAP_MARGIN = 0.12
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter as the report tells it."""
+
+    label: str
+    value: str | float | bool | None
+    unit: str = ""
+
+
+def panel(simulation: Simulation) -> Figure:
+    """Draw thickness and flux side by side.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    return muogram_panel(simulation.muograms["thickness"], simulation.muograms["flux"])
+
+
+def figures(
+    simulation: Simulation, sight: Sight | None = None, aperture: Aperture | None = None
+) -> list[ReportFigure]:
+    """Draw the figures of the report; the map and the section where the terrain is known.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    drawn = [
+        ReportFigure(
+            "Rock thickness along each ray and muon flux behind it. The line is the skyline, the "
+            "mark the target.",
+            png_bytes(panel(simulation), _REPORT_DPI),
+            "Muograms of thickness and flux",
+        )
+    ]
+    if sight is not None and aperture is not None:
+        drawn += [_map(simulation, sight, aperture), *_section(sight, aperture)]
+    further = {name: simulation.muograms[name] for name in _FURTHER if name in simulation.muograms}
+    drawn.append(
+        ReportFigure(
+            "The other quantities on the same directions.",
+            png_bytes(summary_panel(further), _REPORT_DPI),
+            "Muograms of " + ", ".join(one.kind.title.lower() for one in further.values()),
+        )
+    )
+    return drawn
+
+
+def _map(simulation: Simulation, sight: Sight, aperture: Aperture) -> ReportFigure:
+    sector, seen = outlines(simulation, sight, aperture)
+    wedge, ground = _metres(sector), [_metres(one) for one in seen]
+    points = np.concatenate([wedge, *ground, np.zeros((1, 2))])
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = _MAP_MARGIN * float(np.max(high - low))
+    grid = relief_around(
+        sight.frame,
+        (low[0] - margin, high[0] + margin),
+        (low[1] - margin, high[1] + margin),
+    )
+    azimuth = np.radians(sight.boresight_azimuth_deg)
+    target = (
+        float(sight.target_distance_m * np.sin(azimuth)),
+        float(sight.target_distance_m * np.cos(azimuth)),
+    )
+    figure = overview_map(
+        Relief(grid.east_m, grid.north_m, grid.elevation_m), target, [wedge], ground
+    )
+    return ReportFigure(
+        "Detector, target, field of view and the ground seen: the band between the nearest and "
+        "the farthest rock face along each azimuth.",
+        png_bytes(figure, _REPORT_DPI),
+        "Map of the terrain around the detector",
+    )
+
+
+def _metres(outline: Outline) -> np.ndarray:
+    """Return an outline as (n, 2) metres east and north of the detector."""
+    angle = np.radians(outline.azimuth_deg)
+    return np.column_stack([outline.distance_m * np.sin(angle), outline.distance_m * np.cos(angle)])
+
+
+def _section(sight: Sight, aperture: Aperture) -> list[ReportFigure]:
+    middle = sight.boresight_elevation_deg
+    half = aperture.elevation_width_deg / 2
+    distance, ground = terrain_section(
+        sight.frame, sight.detector_elevation_m, sight.boresight_azimuth_deg, middle - half
+    )
+    if np.count_nonzero(np.isfinite(ground)) < 2:
+        return []
+    rays = [
+        Ray("to the target", middle, main=True),
+        Ray("lowest", middle - half),
+        Ray("highest", middle + half),
+    ]
+    figure = section_panel(
+        distance,
+        ground,
+        sight.detector_elevation_m,
+        rays,
+        sight.target_distance_m,
+        sight.boresight_azimuth_deg,
+    )
+    return [
+        ReportFigure(
+            "Terrain along the boresight with the rock that rays cross.",
+            png_bytes(figure, _REPORT_DPI),
+            "Section through the terrain along the boresight",
+        )
+    ]
+
+
+def report(
+    simulation: Simulation,
+    drawn: list[ReportFigure],
+    parameters: list[Parameter],
+    outputs: Mapping[str, str],
+    date: str,
+    versions: Mapping[str, str],
+) -> Report:
+    """Gather everything that the report of a simulation tells.
+
+    Parameters
+    ----------
+    simulation
+        What was computed.
+    drawn
+        See `figures`.
+    parameters
+        What it was computed from.
+    outputs
+        File by label.
+    date
+        When, as text.
+    versions
+        Versions of other software by name.
+    """
+    flux = simulation.muograms["flux"]
+    total = flux.values.size
+    pixels = [PixelCount("with rock", simulation.rock_pixels)]
+    pixels += [
+        PixelCount("unknown", count, cause) for cause, count in simulation.unknown.items() if count
+    ]
+    model = MODELS[str(flux.metadata["FLUX_MODEL"])]
+    return Report(
+        title="Muon radiography",
+        subtitle=_subtitle(flux),
+        date=date,
+        figures=drawn,
+        results=_results(simulation),
+        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
+        pixels=pixels,
+        pixel_total=total,
+        warnings=simulation.warnings,
+        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
+        citations=[
+            Citation(f"Muon flux model: {model.citation}"),
+            Citation(f"Energy loss: {ENERGY_LOSSES[str(flux.metadata['ENERGY_LOSS'])]}"),
+        ],
+        versions={
+            "MUYSC for QGIS": __version__,
+            "Python": platform.python_version(),
+            "numpy": np.__version__,
+            **versions,
+        },
+    )
+
+
+def _subtitle(flux: Muogram) -> str:
+    terrain = flux.metadata.get("DEM")
+    return f"Simulated on the elevation model {terrain}" if terrain else "From a known muogram"
+
+
+def _results(simulation: Simulation) -> list[Row]:
+    flux = simulation.muograms["flux"]
+    rows = [Row("Largest rock thickness", simulation.maximum_thickness_m, "m")]
+    for label, key, unit in (
+        ("Detector elevation", "DETECTOR_ELEVATION", "m"),
+        ("Target elevation", "TARGET_ELEVATION", "m"),
+        ("Distance of the target", "TARGET_DISTANCE", "m"),
+        ("Boresight azimuth", "BORESIGHT_AZIMUTH", "°"),
+        ("Boresight elevation", "BORESIGHT_ELEVATION", "°"),
+    ):
+        if key in flux.metadata:
+            rows.append(Row(label, flux.number(key), unit))
+    for name in ("flux", "open_sky"):
+        known = simulation.muograms[name].values
+        known = known[np.isfinite(known)]
+        if known.size:
+            kind = simulation.muograms[name].kind
+            rows.append(Row(f"Smallest {kind.title.lower()}", float(known.min()), kind.unit))
+            rows.append(Row(f"Largest {kind.title.lower()}", float(known.max()), kind.unit))
+    rows.append(Row("Median exposure behind rock", simulation.median_exposure_days, "days"))
+    return rows

@@ -1,0 +1,41 @@
+"""The terrain along one azimuth, as a section plot shows it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .frame import LocalFrame
+from .profiles import lay_paths, profile_pieces, reach_m
+
+
+def terrain_section(
+    frame: LocalFrame, eye_m: float, azimuth_deg: float, lowest_elevation_deg: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the terrain under a ray, in the frame in which rays are straight.
+
+    Parameters
+    ----------
+    frame
+        Frame of the detector.
+    eye_m
+        Height of the detector, in the DEM's heights.
+    azimuth_deg
+        Direction.
+    lowest_elevation_deg
+        The section ends where a ray of this elevation is above any mountain.
+
+    Returns
+    -------
+    tuple
+        (n,) increasing horizontal distances (m) and (n,) ground heights (m) less
+        the curvature drop, NaN where unknown, at every grid line crossed.
+    """
+    reach = reach_m(frame, eye_m, float(np.tan(np.radians(lowest_elevation_deg))))
+    paths = lay_paths(frame, np.array([azimuth_deg]), 0.0, reach, None)
+    distance, ground = [np.empty(0)], [np.empty(0)]
+    for pieces in profile_pieces(paths, slice(0, 1), eye_m, frame):
+        # Where one piece ends the next begins, so the starts tell it all.
+        s = pieces.start_m
+        distance.append(s)
+        ground.append(eye_m + pieces.constant + (pieces.linear + pieces.quadratic * s) * s)
+    return np.concatenate(distance), np.concatenate(ground)

@@ -1,0 +1,151 @@
+"""Panel and report as outputs."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from osgeo import gdal
+from qgis.core import (
+    Qgis,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingDestinationParameter,
+    QgsProcessingFeedback,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFileDestination,
+)
+from qgis.PyQt.QtCore import QDateTime, Qt
+
+from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.radiography.aperture import Aperture
+from ...muysc_qgis.simulation import Simulation
+from ...muysc_qgis.staging import Staging
+from ...muysc_qgis.topography.sight import Sight
+from ..parameters.values import explained
+
+_SUFFIXES = {"PANEL": ".png", "REPORT": ".html"}
+
+
+def document_outputs() -> list[QgsProcessingParameterDefinition]:
+    """Declare panel and report."""
+    return [
+        explained(
+            QgsProcessingParameterFileDestination(
+                "PANEL", "Panel", "PNG pictures (*.png)", None, True, False
+            ),
+            "Picture of thickness and flux side by side, with contours, skyline and target.",
+        ),
+        explained(
+            QgsProcessingParameterFileDestination(
+                "REPORT", "Report", "HTML files (*.html)", None, True, True
+            ),
+            "One HTML file with panels, map, parameters, numbers, every warning and how to cite.",
+        ),
+    ]
+
+
+def stage_documents(
+    algorithm: QgsProcessingAlgorithm,
+    simulation: Simulation,
+    written: dict[str, str],
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    feedback: QgsProcessingFeedback,
+    staging: Staging,
+    inputs: tuple[str, ...],
+    sight: Sight | None = None,
+    aperture: Aperture | None = None,
+) -> dict[str, str]:
+    """Draw and stage panel and report where wanted; return files by output name.
+
+    Where a library for drawing is missing, a warning says so and the rasters are
+    written all the same.
+    """
+    staged = {
+        name: staging.add(path, inputs)
+        for name in _SUFFIXES
+        if (path := _file(algorithm, parameters, name, context))
+    }
+    if not staged:
+        return {}
+    try:
+        from ...muysc_qgis.plots import documents
+        from ...muysc_qgis.plots.report import write_report
+        from ...muysc_qgis.plots.style import save_png
+
+        if "PANEL" in staged:
+            save_png(documents.panel(simulation), staged["PANEL"])
+        if "REPORT" in staged:
+            report = documents.report(
+                simulation,
+                documents.figures(simulation, sight, aperture),
+                _told(algorithm, parameters, context, documents.Parameter),
+                {algorithm.parameterDefinition(name).description(): written[name]
+                 for name in written},
+                QDateTime.currentDateTime().toString(Qt.DateFormat.ISODate),
+                {"QGIS": Qgis.QGIS_VERSION, "GDAL": gdal.__version__},
+            )  # fmt: skip
+            write_report(staged["REPORT"], report)
+    except ImportError as error:
+        feedback.pushWarning(
+            f"Panel and report need the Python library {error.name}, which is missing; the "
+            "rasters were written without them."
+        )
+        return {}
+    return {name: _file(algorithm, parameters, name, context) for name in staged}
+
+
+def _file(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> str | None:
+    """Return where a document goes, None where it is not wanted.
+
+    Raises
+    ------
+    MuyscError
+        If the file name ends in something else.
+    """
+    if parameters.get(name) in (None, ""):
+        return None
+    path = algorithm.parameterAsFileOutput(parameters, name, context)
+    if Path(path).suffix.lower() != _SUFFIXES[name]:
+        raise MuyscError(
+            f"{name} goes to “{path}”; give a file name that ends in {_SUFFIXES[name]}."
+        )
+    return path
+
+
+def _told(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    kind: type,
+) -> list[Any]:
+    """Return every input parameter with its value, for the report."""
+    rows = []
+    for definition in algorithm.parameterDefinitions():
+        if isinstance(definition, QgsProcessingDestinationParameter):
+            continue
+        value = parameters.get(definition.name())
+        if value is None:
+            value = definition.defaultValue()
+        if value is None or value == "":
+            value = "–"
+        elif not isinstance(value, (str, int, float)):
+            value = definition.valueAsPythonString(value, context).strip("'")
+        label, unit = _split_unit(definition.description())
+        rows.append(kind(label, value, unit))
+    return rows
+
+
+def _split_unit(label: str) -> tuple[str, str]:
+    """Return “Density (g/cm³, empty: …)” as label and unit."""
+    match = re.match(r"^(.*?) \(([^,)]+)(?:,.*)?\)$", label)
+    if match and match.group(1) != "Elevation model":
+        return match.group(1), match.group(2)
+    return label, ""
