@@ -96,10 +96,10 @@ class MuonFlux(MuyscAlgorithm):
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         names = [name for name in ("THICKNESS", "OPACITY") if given(parameters, name)]
         if len(names) != 1:
-            raise MuyscError(
-                f"{'Both' if names else 'Neither'} THICKNESS and OPACITY given; choose exactly one "
-                "muogram to start from."
+            state = (
+                "Both THICKNESS and OPACITY are" if names else "Neither THICKNESS nor OPACITY is"
             )
+            raise MuyscError(f"{state} given; choose exactly one muogram to start from.")
         path = raster_layer(self, parameters, names[0], context).source()
         rock = read_muogram(path)
         if rock.quantity != names[0].lower():
