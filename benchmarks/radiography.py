@@ -51,6 +51,23 @@ def naive_thickness(sight: Sight, azimuth: np.ndarray, elevation: np.ndarray) ->
     return thickness
 
 
+def peer_grid(sight: Sight) -> object:
+    """Return the DEM for mulder, with its values at the cell centres.
+
+    Read from the file, mulder 0.3.7 stretches them to the raster's outer edges,
+    which moves the terrain by up to half a cell.
+    """
+    import mulder
+
+    dem = sight.frame.dem
+    left, top = dem.crs_position(0, 0)
+    right, bottom = dem.crs_position(dem.columns - 1, dem.rows - 1)
+    return mulder.Grid(
+        dem.read(0, 0, dem.columns, dem.rows)[::-1].copy(),
+        xlim=(float(left), float(right)), ylim=(float(bottom), float(top)), crs=4326,
+    )  # fmt: skip
+
+
 def compare_thickness(pixels: int = 100) -> None:
     import mulder
 
@@ -63,7 +80,7 @@ def compare_thickness(pixels: int = 100) -> None:
     def ours() -> np.ndarray:
         return trace_terrain(sight.frame, sight.detector_elevation_m, azimuth, rising).thickness_m
 
-    geometry = mulder.EarthGeometry(mulder.Layer(mulder.Grid(str(DEM)), material="Rock"))
+    geometry = mulder.EarthGeometry(mulder.Layer(peer_grid(sight), material="Rock"))
     azimuths, elevations = (grid.ravel() for grid in np.meshgrid(azimuth, rising, indexing="ij"))
 
     def peer() -> np.ndarray:
@@ -107,7 +124,7 @@ def compare_flux(pixels: int = 100, peer_pixels: int = 10) -> None:
     physics = Physics(flux_model="guan", straggling=False)
     t_ours = seconds_of(lambda: attenuate(opacity, elevation[:, None], physics, 604.0), 7)
 
-    meter = mulder.Fluxmeter(mulder.Layer(mulder.Grid(str(DEM)), material="Rock"))
+    meter = mulder.Fluxmeter(mulder.Layer(peer_grid(sight), material="Rock"))
     energies = np.geomspace(1.0, 1e6, _ENERGIES)
     every = pixels // peer_pixels
     azimuths, elevations, energy = (

@@ -60,7 +60,7 @@ def test_each_cell_carries_the_value_of_the_ray_to_it(run, vesuvius, muograms, t
     draped, (left, step_x, _, top, _, step_y), _ = open_raster(results["OUTPUT"])
     heights, _, _ = open_raster(vesuvius["DEM"])
     flux, geotransform, dataset = open_raster(muograms["FLUX"])
-    told = {key: value for key, value in dataset.GetMetadata("MUYSC").items()}
+    told = dataset.GetMetadata("MUYSC")
     longitude, latitude = float(told["DETECTOR_LON"]), float(told["DETECTOR_LAT"])
     rows, columns = np.nonzero(np.isfinite(draped))
     agree = 0

@@ -1,7 +1,5 @@
 """Bad input: one sentence that names value, limit and remedy; no file left or changed."""
 
-import os
-
 import numpy as np
 import pytest
 from osgeo import gdal, osr
@@ -141,16 +139,16 @@ def test_destinations_that_cannot_be_written(refused, vesuvius, tmp_path):
     assert "no folder" in refused(OPACITY="/proc/version/opacity.tif")
     locked = tmp_path / "locked.tif"
     locked.write_bytes(b"keep me")
-    os.chmod(locked, 0o444)
+    locked.chmod(0o444)
     assert "read-only" in refused(OPACITY=str(locked))
     assert locked.read_bytes() == b"keep me"
     folder = tmp_path / "closed"
     folder.mkdir()
-    os.chmod(folder, 0o555)
+    folder.chmod(0o555)
     assert "read-only" in refused(OPACITY=str(folder / "opacity.tif"))
     assert "read-only" in refused(FIELD_OF_VIEW=str(folder / "view.gpkg"))
     assert "read-only" in refused(PANEL=str(folder / "panel.png"))
-    os.chmod(folder, 0o755)
+    folder.chmod(0o755)
 
 
 def test_destinations_that_would_lose_something(refused, vesuvius, tmp_path):
