@@ -96,7 +96,9 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         return QIcon(str(ROOT / "icon.svg"))
 
     def shortHelpString(self) -> str:
-        return (HELP_FOLDER / f"{self.NAME}.html").read_text(encoding="utf-8")
+        text = (HELP_FOLDER / f"{self.NAME}.html").read_text(encoding="utf-8")
+        # QGIS would make a paragraph of every line.
+        return text.replace("\n", " ")
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:
         for parameter in self.declare():

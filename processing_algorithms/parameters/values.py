@@ -17,6 +17,9 @@ from qgis.core import (
 from ...muysc_qgis.errors import MuyscError
 from ..compat import ADVANCED
 
+#: Digits after the point in dialogs; scripts may give more.
+_DECIMALS = 3
+
 
 def explained(
     parameter: QgsProcessingParameterDefinition, text: str, advanced: bool = False
@@ -47,6 +50,8 @@ def number(
         parameter.setMinimum(low)
     if high is not None:
         parameter.setMaximum(high)
+    if not whole:
+        parameter.setMetadata({"widget_wrapper": {"decimals": _DECIMALS}})
     return explained(parameter, text, advanced)
 
 
