@@ -48,8 +48,15 @@ class HermiteCurve:
     def __call__(self, x: np.ndarray) -> np.ndarray:
         """Return y at abscissas of any shape; NaN outside the knots."""
         x = np.asarray(x, dtype=float)
-        k = np.clip(np.searchsorted(self.x, x, side="right") - 1, 0, len(self.x) - 2)
-        width = np.diff(self.x)[k]
-        t = (x - self.x[k]) / width
-        y = hermite(t, width, self.y[k], self.y[k + 1], self.slope[k], self.slope[k + 1])
+        y = self.between(*self.locate(x))
         return np.where((x >= self.x[0]) & (x <= self.x[-1]), y, np.nan)
+
+    def locate(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the knot before each abscissa and the position between it and the next."""
+        k = np.clip(np.searchsorted(self.x, x, side="right") - 1, 0, len(self.x) - 2)
+        return k, (x - self.x[k]) / (self.x[k + 1] - self.x[k])
+
+    def between(self, k: np.ndarray, t: np.ndarray) -> np.ndarray:
+        """Return y at positions that `locate` found, on this curve or one of the same knots."""
+        width = self.x[k + 1] - self.x[k]
+        return hermite(t, width, self.y[k], self.y[k + 1], self.slope[k], self.slope[k + 1])

@@ -4,8 +4,8 @@ Catastrophic losses are rare, so many muons lose less than the mean, and behind 
 rock those few decide. The correction is the ratio f of the intensity with all
 fluctuations to the one with mean losses. It grows with the opacity ϱ and with the
 steepness s = −dlnI/dlnE of the integral spectrum at the minimum energy, and through s
-it depends on zenith angle and flux model: at 5 km w.e. it is a tenth larger for
-vertical muons than at 84°. For other materials than standard rock the opacity is
+it depends on zenith angle and flux model: at 5 km w.e. it is 5 % larger for vertical
+muons than at 84°. For other materials than standard rock the opacity is
 scaled by the ratio of radiative losses, which make the fluctuations.
 """
 
@@ -81,7 +81,7 @@ def straggling_factor(
     """
     scaled = np.asarray(opacity_g_cm2, dtype=float) * radiative_scale(material)
     curves = _coefficients()
-    scaled = np.minimum(scaled, curves[0].x[-1])
+    where = curves[0].locate(np.minimum(scaled, curves[0].x[-1]))
+    c0, c1, c2, c3 = (curve.between(*where) for curve in curves)
     s = np.clip(index, *_INDICES)
-    c0, c1, c2, c3 = (curve(scaled) for curve in curves)
     return np.exp(np.maximum(s * (c0 + s * (c1 + s * (c2 + s * c3))), 0.0))

@@ -1,0 +1,106 @@
+"""The opacity that explains a muon flux."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .batches import blocks, checked
+from .energy_loss import csda_range, range_law
+from .settings import Physics, check_altitude
+from .transmission import Sky, open_sky_start_gev
+
+#: Relative accuracy of the flux at the opacity found.
+_TOLERANCE = 1e-7
+
+#: Halvings of the energy range before the faster search, and more steps than any ray needs.
+_HALVINGS = 3
+_STEPS = 100
+
+
+def opacity_from_flux(
+    flux_per_cm2_sr_day: np.ndarray,
+    elevation_deg: np.ndarray,
+    physics: Physics,
+    altitude_m: float = 0.0,
+) -> np.ndarray:
+    """Return the opacity behind which a muon flux is left: the inverse of `attenuate`.
+
+    Parameters
+    ----------
+    flux_per_cm2_sr_day
+        Measured flux in cm⁻² sr⁻¹ day⁻¹; NaN where unknown.
+    elevation_deg
+        Elevation above the horizon in degrees; broadcasts with the flux as in `attenuate`.
+    physics
+        Material, flux model and corrections.
+    altitude_m
+        Height of the detector above sea level, m.
+
+    Returns
+    -------
+    numpy.ndarray
+        g/cm²; 0 where the flux is that of the open sky or more, NaN where it is unknown,
+        0, or less than any rock of the range law leaves, and at or below the horizon.
+
+    Raises
+    ------
+    MuyscError
+        If a flux is negative or infinite, an elevation is no angle from −90° to 90°, the
+        shapes do not fit or the altitude is not on land.
+    """
+    flux, elevation, shape = checked(flux_per_cm2_sr_day, elevation_deg, "flux", "cm⁻² sr⁻¹ day⁻¹")
+    check_altitude(altitude_m)
+    highest_gev = _highest_energy(physics)
+    opacity = np.empty(flux.shape)
+    for block, block_elevation in blocks(flux.shape, elevation):
+        sky = Sky.at(block_elevation, physics, altitude_m, highest_gev)
+        opacity[block] = _search(np.where(flux[block] > 0, flux[block], np.nan), sky, highest_gev)
+    return opacity.reshape(shape)
+
+
+def _highest_energy(physics: Physics) -> float:
+    """Return the highest kinetic energy in GeV that the range law gives to an opacity."""
+    law = range_law(physics.material, physics.energy_loss)
+    # Just below the end, where rounding would decide whether there is an answer.
+    return float(np.exp(law.range_of_energy.x[-1])) * (1 - 1e-9) - law.rest_energy_gev
+
+
+def _search(flux: np.ndarray, sky: Sky, highest_gev: float) -> np.ndarray:
+    """Return the opacities of one block by halving, then the Illinois method.
+
+    The unknown is ln of the minimum energy, in which ln I is nearly straight.
+    """
+    physics = sky.physics
+    ln_flux = np.log(flux)
+
+    def opacity_at(ln_energy: np.ndarray) -> np.ndarray:
+        energy = np.append(np.exp(ln_energy).ravel(), physics.detection_threshold_gev)
+        length = csda_range(energy, physics.material, physics.energy_loss)
+        behind = length[-1] if physics.detection_threshold_gev > 0 else 0.0
+        return np.maximum(length[:-1].reshape(ln_energy.shape) - behind, 0.0)
+
+    def excess(ln_energy: np.ndarray) -> np.ndarray:
+        return np.log(sky.flux_behind(opacity_at(ln_energy), np.exp(ln_energy))) - ln_flux
+
+    low = np.full(flux.shape, np.log(open_sky_start_gev(physics)))
+    high = np.full(flux.shape, np.log(highest_gev))
+    at_low, at_high = np.log(sky.open_sky) - ln_flux, excess(high)
+    is_sky, has_answer = at_low <= 0, at_high <= 0
+    middle, before = low, is_sky
+    for step in range(_STEPS):
+        if step < _HALVINGS:
+            middle = 0.5 * (low + high)
+        else:
+            with np.errstate(invalid="ignore", divide="ignore"):
+                middle = (low * at_high - high * at_low) / (at_high - at_low)
+        at_middle = excess(middle)
+        beyond = at_middle > 0
+        # An end that stays for a second time counts half, so that it will move too.
+        weight = np.where((beyond == before) & (step > _HALVINGS), 0.5, 1.0)
+        at_high = np.where(beyond, weight * at_high, at_middle)
+        at_low = np.where(beyond, at_middle, weight * at_low)
+        before = beyond
+        low, high = np.where(beyond, middle, low), np.where(beyond, high, middle)
+        if not np.any((np.abs(at_middle) > _TOLERANCE) & ~is_sky & has_answer):
+            break
+    return np.where(is_sky, 0.0, np.where(has_answer, opacity_at(middle), np.nan))
