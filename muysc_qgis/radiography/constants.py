@@ -11,6 +11,3 @@ OPEN_SKY_MOMENTUM_GEV = 1.0
 
 #: Grams per square centimetre in one metre of water equivalent.
 G_CM2_PER_M_WATER_EQUIVALENT = 100.0
-
-#: Grams per square centimetre in one metre of a medium of 1 g/cm³.
-G_CM2_PER_M_AND_G_CM3 = 100.0

@@ -23,7 +23,7 @@ _TOP_MARGIN = 100.0
 _LOBATTO_NODES = 0.5 + 0.5 * np.array([-1.0, -np.sqrt(0.2), np.sqrt(0.2), 1.0])
 _LOBATTO_WEIGHTS = np.array([1.0, 5.0, 5.0, 1.0]) / 12.0
 
-#: Smallest intensity kept, relative to nothing: ln of it stays finite.
+#: Smallest intensity told from none, so that its logarithm stays finite.
 _TINY = 1e-300
 
 
@@ -122,16 +122,18 @@ def integral_spectrum(
         + third * density[:, 2::3]
         + fourth * at_knots[:, 1:]
     )
-    # Beyond the last knot the density falls on as a power of the energy.
-    decline = np.log(density[:, -2] / density[:, -1]) / (ln_energy[-1] - ln_energy[-2])
+    # Beyond the last knot the density falls on as a power of the energy. It always falls,
+    # but for angles so close to the horizon that some models make no sense at all.
+    ends = np.log(np.maximum(density[:, -2:], _TINY))
+    decline = np.maximum((ends[:, 0] - ends[:, 1]) / (ln_energy[-1] - ln_energy[-2]), 0.1)
     tail = at_knots[:, -1] / decline
     intensity = np.empty_like(at_knots)
     intensity[:, -1] = tail
     # From the top down, so that small intensities are sums of small pieces.
     intensity[:, :-1] = tail[:, None] + np.cumsum(pieces[:, ::-1], axis=1)[:, ::-1]
-    return IntegralSpectrum(
-        grid, np.log(np.maximum(intensity, _TINY)), -at_knots / np.maximum(intensity, _TINY)
-    )
+    intensity = np.maximum(intensity, _TINY)
+    slope = np.where(intensity > _TINY, -at_knots / intensity, 0.0)
+    return IntegralSpectrum(grid, np.log(intensity), slope)
 
 
 def _energy_grid(flux_model: str, start_gev: float, highest_gev: float) -> np.ndarray:

@@ -93,6 +93,8 @@ def _search(flux: np.ndarray, sky: Sky, highest_gev: float) -> np.ndarray:
         else:
             with np.errstate(invalid="ignore", divide="ignore"):
                 middle = (low * at_high - high * at_low) / (at_high - at_low)
+            # Rays without an answer have no root between the ends.
+            middle = np.clip(middle, low, high)
         at_middle = excess(middle)
         beyond = at_middle > 0
         # An end that stays for a second time counts half, so that it will move too.

@@ -15,7 +15,7 @@ import numpy as np
 DATA_FOLDER = Path(__file__).parent / "data"
 
 #: Density averages of rocks are those of Telford, Geldart & Sheriff (1990), Applied
-#: Geophysics, Cambridge University Press, table 2.1; compositions of igneous rocks those of
+#: Geophysics, Cambridge University Press, chapter 2; compositions of igneous rocks those of
 #: Nockolds, Knox & Chinner (1978) as given by Fowler (2005), The Solid Earth, table 9.1.
 _ROCKS = "mean analysis of Nockolds et al. (1978), in Fowler (2005), The Solid Earth, table 9.1"
 

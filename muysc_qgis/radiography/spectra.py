@@ -8,7 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from .constants import MUON_MASS_GEV
-from .gaisser import GAISSER_PARAMETERS, GaisserParameters, gaisser, gaisser_tang, guan
+from .gaisser import (
+    GAISSER_PARAMETERS,
+    GaisserParameters,
+    cos_zenith_at_production,
+    gaisser,
+    gaisser_tang,
+    guan,
+)
 from .reyna import BUGAEV_BREAKS_GEV, bugaev, reyna_bugaev, reyna_hebbeker
 
 
@@ -32,6 +39,9 @@ class SpectrumModel:
     maximum_zenith_deg: float
     #: Whether the constants of Gaisser's formula can be chosen.
     takes_parameters: bool = False
+    #: The cosine that limits are divided by, of the cosine of the zenith angle, and its sign.
+    limiting_cosine: Callable[[np.ndarray], np.ndarray] = np.asarray
+    limiting_cosine_sign: str = "cosθ"
     #: Momenta in GeV/c at which the spectrum is continuous but not smooth.
     breaks_gev: tuple[float, ...] = ()
 
@@ -54,11 +64,11 @@ class SpectrumModel:
             # hold from 100 GeV; sets fitted higher up do not hold below their fit.
             if parameters.fitted_from_gev > GAISSER_PARAMETERS["gaisser"].fitted_from_gev:
                 lower = max(lower, parameters.fitted_from_gev)
-        cos_zenith = np.asarray(cos_zenith, dtype=float)
-        one = np.ones_like(cos_zenith)
+        cosine = self.limiting_cosine(np.asarray(cos_zenith, dtype=float))
+        one = np.ones_like(cosine)
         return (
-            lower / cos_zenith if self.lower_per_cosine else lower * one,
-            upper / cos_zenith if self.upper_per_cosine else upper * one,
+            lower / cosine if self.lower_per_cosine else lower * one,
+            upper / cosine if self.upper_per_cosine else upper * one,
         )
 
 
@@ -91,6 +101,8 @@ MODELS = {
             upper_per_cosine=False,
             maximum_zenith_deg=90.0,
             takes_parameters=True,
+            limiting_cosine=cos_zenith_at_production,
+            limiting_cosine_sign="cosθ*",
         ),
         SpectrumModel(
             "bugaev",

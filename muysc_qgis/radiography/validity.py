@@ -79,8 +79,12 @@ def sentences(counts: Mapping[str, int], physics: Physics, altitude_m: float) ->
     if model.takes_parameters:
         title += f" ({parameters.title})"
     lower, upper = (float(limit) for limit in model.energy_range_gev(np.array(1.0), parameters))
-    lower_text = f"{lower:g} GeV" + ("/cosθ" if model.lower_per_cosine else "")
-    upper_text = f"{upper:g} GeV" + ("/cosθ" if model.upper_per_cosine else "")
+    lower_text = f"{lower:g} GeV" + (
+        f"/{model.limiting_cosine_sign}" if model.lower_per_cosine else ""
+    )
+    upper_text = f"{upper:g} GeV" + (
+        f"/{model.limiting_cosine_sign}" if model.upper_per_cosine else ""
+    )
     loss = "polynomial of Lesparre et al."
     texts = {
         "opacity": "{} of unknown opacity: no flux.",

@@ -147,6 +147,9 @@ def test_energy_ranges_follow_model_zenith_and_parameters():
     default = GAISSER_PARAMETERS["gaisser"]
     assert MODELS["gaisser"].energy_range_gev(inclined, default) == (200.0, 1e5)
     assert MODELS["reyna-bugaev"].energy_range_gev(inclined, default) == (1.0, 4000.0)
+    # At the horizon Tang's limit stays at 1 GeV/cosθ*.
+    horizon = MODELS["gaisser-tang"].energy_range_gev(np.array(1e-9), default)[0]
+    assert horizon == pytest.approx(10, rel=0.02)
     # A set fitted from 2 TeV does not become valid at 1 GeV by Tang's extension.
     aglietta = GAISSER_PARAMETERS["aglietta"]
     assert MODELS["gaisser-tang"].energy_range_gev(vertical, default)[0] == 1.0

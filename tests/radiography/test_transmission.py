@@ -276,3 +276,18 @@ def test_straggling_outside_its_range_is_named():
     assert "1 ray through more than the 1.5e+06 g/cm²" in warned([1e6, 1.6e6], 80.0, guan)
     off = Physics(flux_model="guan", straggling=False)
     assert "straggling" not in warned([1.6e6], 80.0, off)
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("threshold", [0.0, 1e-3, 9e4])
+def test_extremes_give_numbers_or_nan_and_fall_with_opacity(model, threshold):
+    elevation = np.array([90.0, 1.0, 1e-3, 1e-7, 1e-12, 0.0, -90.0])[:, None]
+    opacity = np.array([0.0, 1e-12, 1.0, 478.0, 1e4, 2.9e6, 3.1e6, 1e9, np.nan])
+    physics = Physics(flux_model=model, detection_threshold_gev=threshold)
+    result = attenuate(opacity, elevation, physics, 3000.0)
+    known = np.isfinite(result.minimum_energy_gev) & (elevation > 0)
+    np.testing.assert_array_equal(np.isfinite(result.flux), known)
+    np.testing.assert_array_equal(np.isfinite(result.transmission), known)
+    assert np.all(result.flux[known] >= 0)
+    assert not np.any(np.diff(result.flux, axis=1) > 0)
+    assert sum(result.unanswered.values()) == np.count_nonzero(~known)
