@@ -1,0 +1,60 @@
+# Every target sets up what it needs first, and a second run skips what is there.
+
+SHELL := /bin/bash
+# QGIS is bound to the system's Python, and looks for its home along PATH: nothing here
+# may meet another one.
+PYTHON := /usr/bin/python3
+export PATH := /usr/bin:/bin:$(PATH)
+VENV_PYTHON := .venv/bin/python
+# Passed on to pytest, as in `make test ARGS="tests/radiography -k flux"`.
+ARGS :=
+
+# Libraries of the user's own would be seen by the tests, but not by the next machine.
+unexport PYTHONPATH PYTHONHOME
+export PYTHONNOUSERSITE := 1
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test lint qgis bench package clean packages development-packages
+
+help: ## Show this list
+	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/^([a-z]+):.*## /\1\t/' \
+		| while IFS=$$'\t' read -r name what; do printf '  make %-9s %s\n' "$$name" "$$what"; done
+
+demo: packages ## Simulate a muogram of Vesuvius from the command line, into build/demo
+	@$(PYTHON) tools/demo.py
+
+test: .venv/ready ## Run the tests (ARGS="…" goes to pytest)
+	@QT_QPA_PLATFORM=offscreen $(VENV_PYTHON) -m pytest $(ARGS)
+
+lint: .venv/ready ## Check style and types
+	@$(VENV_PYTHON) -m ruff check
+	@$(VENV_PYTHON) -m ruff format --check
+	@$(VENV_PYTHON) -m mypy muysc_qgis
+
+qgis: packages ## Open QGIS with the plugin and Vesuvius, in a profile of its own
+	@tools/desktop
+
+bench: .venv/ready ## Measure time and memory, side by side with other codes
+	@for script in $(filter-out benchmarks/measure.py,$(wildcard benchmarks/*.py)); do \
+		PYTHONPATH="$(CURDIR)" $(VENV_PYTHON) "$$script" || exit; done
+
+package: ## Pack the last commit as a zip that QGIS installs, into build
+	@tools/package
+
+clean: ## Remove everything made here, .venv too
+	@rm -rf build .venv .pytest_cache .mypy_cache .ruff_cache
+	@find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+packages:
+	@tools/debian_packages run
+
+development-packages:
+	@tools/debian_packages develop
+
+# Written last, so an interrupted set-up is done again.
+.venv/ready: tools/requirements.txt | development-packages
+	@echo "Setting up .venv with the development tools …"
+	@$(PYTHON) -m venv --clear --system-site-packages .venv
+	@$(VENV_PYTHON) -m pip install --quiet --disable-pip-version-check --no-input \
+		--requirement tools/requirements.txt
+	@touch $@

@@ -1,0 +1,189 @@
+"""The rules of the architecture: who may import what."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+LIBRARY = ROOT / "muysc_qgis"
+ALGORITHMS = ROOT / "processing_algorithms"
+
+#: Libraries by room; the longest path that fits a file counts.
+ROOMS = {
+    "muysc_qgis/radiography": {"numpy", "scipy"},
+    "muysc_qgis/telescope": {"numpy", "scipy"},
+    "muysc_qgis/tomography": {"numpy", "scipy"},
+    "muysc_qgis/topography": {"numpy", "scipy", "osgeo", "pyproj"},
+    "muysc_qgis/plots": {"numpy", "scipy", "osgeo", "pyproj", "matplotlib", "jinja2"},
+    "muysc_qgis/plugin.py": {"qgis"},
+    "muysc_qgis/gui": {"numpy", "qgis", "matplotlib"},
+    "muysc_qgis": {"numpy", "scipy", "osgeo", "pyproj"},
+    "processing_algorithms": {"numpy", "osgeo", "qgis"},
+}
+#: What these may import of the project itself: rock and muons know no terrain, no
+#: file and no picture, and terrain knows no picture.
+NEIGHBOURS = {
+    "muysc_qgis/radiography": {"radiography", "errors", "progress", "quantities"},
+    "muysc_qgis/topography": {
+        "topography", "radiography", "errors", "progress", "quantities", "muogram", "__version__",
+    },
+}  # fmt: skip
+#: The only libraries that loading the plugin may load.
+LIGHT = {"numpy"}
+
+FILES = sorted([*LIBRARY.rglob("*.py"), *ALGORITHMS.rglob("*.py"), ROOT / "__init__.py"])
+SHIPPED = pytest.mark.parametrize(
+    "file", FILES, ids=[str(file.relative_to(ROOT)) for file in FILES]
+)
+
+
+def tree_of(file):
+    return ast.parse(file.read_text(encoding="utf-8"))
+
+
+def absolute_imports(tree):
+    """Yield the modules imported by their full name."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            yield node.module
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def relative_targets(file, tree):
+    """Yield what a file of the library imports of it, as parts below muysc_qgis."""
+    here = file.relative_to(ROOT).parent.parts
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            base = here[: len(here) - node.level + 1]
+            path = (*base, *(node.module or "").split("."))
+            path = tuple(part for part in path if part)
+            for alias in node.names:
+                yield (*path, alias.name)
+
+
+def room_of(file, rooms):
+    relative = file.relative_to(ROOT)
+    fits = [room for room in rooms if Path(room) in (relative, *relative.parents)]
+    return max(fits, key=len, default=None)
+
+
+def foreign(modules):
+    return {
+        top
+        for top in (module.split(".")[0] for module in modules)
+        if top not in sys.stdlib_module_names
+    }
+
+
+def at_load(tree):
+    """Yield the statements that run when a module is loaded, outside functions."""
+    pending = [*tree.body]
+    while pending:
+        node = pending.pop()
+        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+            continue
+        if isinstance(node, (ast.If, ast.Try, ast.With, ast.ClassDef)):
+            pending += node.body
+            pending += getattr(node, "orelse", [])
+            pending += [line for one in getattr(node, "handlers", []) for line in one.body]
+        yield node
+
+
+@SHIPPED
+def test_a_room_uses_only_its_libraries(file):
+    room = room_of(file, ROOMS)
+    allowed = ROOMS[room] if room else set()
+    assert foreign(absolute_imports(tree_of(file))) <= allowed
+
+
+@SHIPPED
+def test_a_room_knows_only_its_neighbours(file):
+    room = room_of(file, NEIGHBOURS)
+    if room is None:
+        # The library never reaches up to the algorithms; only the entry point does.
+        above = {"processing_algorithms"} if file.name != "plugin.py" else set()
+        if LIBRARY in file.parents:
+            assert not {path[0] for path in relative_targets(file, tree_of(file))} & above
+        return
+    for path in relative_targets(file, tree_of(file)):
+        assert path[0] == "muysc_qgis"
+        assert path[1] in NEIGHBOURS[room], f"{'.'.join(path)}"
+
+
+@SHIPPED
+def test_the_plugin_imports_itself_relatively(file):
+    names = {module.split(".")[0] for module in absolute_imports(tree_of(file))}
+    assert not names & {"muysc_qgis", "processing_algorithms", "muysc", ROOT.name}
+
+
+@SHIPPED
+def test_qt_comes_through_qgis_and_figures_never_through_pyplot(file):
+    modules = set(absolute_imports(tree_of(file)))
+    assert not foreign(modules) & {"PyQt5", "PyQt6", "PySide2", "PySide6"}
+    assert "matplotlib.pyplot" not in modules
+
+
+@SHIPPED
+def test_the_library_loads_nothing_heavy(file):
+    if LIBRARY not in file.parents or room_of(file, ROOMS).endswith(("plugin.py", "gui")):
+        return
+    nodes = [
+        node for node in at_load(tree_of(file)) if isinstance(node, (ast.Import, ast.ImportFrom))
+    ]
+    loaded = foreign(absolute_imports(ast.Module(body=nodes, type_ignores=[])))
+    assert loaded <= LIGHT
+
+
+@SHIPPED
+def test_nothing_touches_the_search_path_or_prints(file):
+    for node in ast.walk(tree_of(file)):
+        if isinstance(node, ast.Attribute):
+            assert ast.unparse(node) != "sys.path"
+        if isinstance(node, ast.Call):
+            assert ast.unparse(node.func) != "print"
+
+
+def test_loading_every_module_of_the_library_loads_only_numpy():
+    """What the rule above is for, transitively and in one process."""
+    modules = [
+        ".".join(file.relative_to(ROOT).with_suffix("").parts)
+        for file in LIBRARY.rglob("*.py")
+        if file.name not in ("plugin.py", "__init__.py") and "gui" not in file.parts
+    ]
+    code = (
+        "import importlib, sys\n"
+        f"for name in {modules!r}: importlib.import_module(name)\n"
+        "print(*{'scipy', 'matplotlib', 'jinja2', 'osgeo', 'pyproj', 'qgis'} & {*sys.modules})"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split() == []
+
+
+def test_no_file_is_longer_than_400_lines(tracked):
+    lengths = {
+        str(name): len((ROOT / name).read_text(encoding="utf-8").splitlines())
+        for name in tracked
+        if name.suffix == ".py"
+    }
+    assert lengths
+    assert {name: length for name, length in lengths.items() if length > 400} == {}
+
+
+@pytest.mark.parametrize(
+    ("code", "found"),
+    [
+        ("import scipy.fft", {"scipy"}),
+        ("def late():\n    from osgeo import gdal", {"osgeo"}),
+        ("from . import errors\nimport math", set()),
+    ],
+)
+def test_the_reader_of_imports_sees_them(code, found):
+    assert foreign(absolute_imports(ast.parse(code))) == found
