@@ -1,36 +1,30 @@
-"""Terrain profiles along azimuths, cut where they cross the DEM's grid lines.
+"""Terrain profiles along azimuths, window by window of the DEM.
 
-Between two cuts a profile lies in one cell of the bilinear surface, where the
-height along a straight path is a quadratic in the distance, exactly. Stretches
-that none of a path's rays can meet, because they pass over all ground around or
-under it, are not cut: level ground serves as well.
+Cut where it crosses the DEM's grid lines, a profile lies in one cell of the
+bilinear surface between two cuts, where the height along a straight path is a
+quadratic in the distance, exactly.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..progress import Progress, report, silent
 from ..radiography.raytracing import ProfilePieces
 from .dem import EDGE_CELLS, Dem
 from .frame import PATH_STEP_M, LocalFrame
 from .heights import PEAK_M
-from .level import level_ground, ray_heights
+from .stretches import Stretches, cut_stretches, level_stretches
 
-#: Profile pieces in one block: with about 30 arrays of float64, 60 MiB.
-MAX_PIECES = 1 << 18
-#: DEM cells read at a time: 64 MiB of float64.
-MAX_CELLS = 1 << 23
-#: Points of paths laid at a time: with about ten arrays of float64, 80 MiB.
-MAX_KNOTS = 1 << 20
-
-#: Shortest piece kept (m). Two grid lines crossed at once leave slivers in which
-#: slopes are all rounding error: the next piece takes their place.
-_SLIVER_M = 1e-6
-#: Heights (m) closer than this to the ground are on it.
-_TOUCH_M = 1e-6
+#: Profile pieces in one block: with about 30 arrays of float64, 30 MiB.
+MAX_PIECES = 1 << 17
+#: DEM cells read at a time: 16 MiB of float64.
+MAX_CELLS = 1 << 21
+#: Points of paths laid at a time: with about 20 arrays of float64, 40 MiB.
+MAX_KNOTS = 1 << 18
 
 
 @dataclass(frozen=True)
@@ -157,22 +151,8 @@ def azimuth_parts(azimuths: int, reach: float) -> list[slice]:
     return [slice(start, min(start + size, azimuths)) for start in range(0, azimuths, size)]
 
 
-def azimuth_groups(paths: Paths) -> list[slice]:
-    """Split the azimuths into runs whose profiles fit one block of memory."""
-    pieces = 2 + np.sum(
-        1
-        + np.abs(np.nan_to_num(np.diff(paths.column, axis=1)))
-        + np.abs(np.nan_to_num(np.diff(paths.row, axis=1))),
-        axis=1,
-    )
-    group = (np.cumsum(pieces) - pieces) // MAX_PIECES
-    starts = np.flatnonzero(np.diff(group, prepend=-1))
-    ends = np.append(starts[1:], len(pieces))
-    return [slice(int(start), int(end)) for start, end in zip(starts, ends)]
-
-
 def profile_pieces(
-    paths: Paths, group: slice, eye_m: float, frame: LocalFrame
+    paths: Paths, group: slice, eye_m: float, frame: LocalFrame, progress: Progress = silent
 ) -> Iterator[ProfilePieces]:
     """Yield the pieces of a run of azimuths, ring by ring, near to far.
 
@@ -183,31 +163,46 @@ def profile_pieces(
     paths
         Paths over the ground.
     group
-        Which azimuths, see `azimuth_groups`.
+        Which azimuths.
     eye_m
         Height of the detector, in the DEM's heights.
     frame
         Frame of the detector.
+    progress
+        Told the share done before each window.
+
+    Raises
+    ------
+    MuyscError
+        If the DEM cannot be read.
+    Cancelled
+        If `progress` asks for a stop.
     """
-    stretches = [(group, 0, len(paths.knot_m) - 1)]
-    while stretches:
-        group, first, last = stretches.pop()
-        start = paths.knot_m[first]
+    blocks = [(group, 0, len(paths.knot_m) - 1)]
+    total, done = (group.stop - group.start) * (len(paths.knot_m) - 1), 0
+    while blocks:
+        group, first, last = blocks.pop()
+        start, size = paths.knot_m[first], group.stop - group.start
         if start > 0 and start >= paths.end_m[group].max():
+            done += size * (last - first)
             continue
         window = _window(paths, group, first, last)
         too_large = window[2] * window[3] > MAX_CELLS
         if too_large and last - first > 1:
             middle = (first + last) // 2
-            stretches += [(group, middle, last), (group, first, middle)]
-        elif too_large and group.stop - group.start > 1:
-            half = (group.start + group.stop) // 2
-            stretches += [
+            blocks += [(group, middle, last), (group, first, middle)]
+        elif too_large and size > 1:
+            half = group.start + size // 2
+            blocks += [
                 (slice(half, group.stop), first, last),
                 (slice(group.start, half), first, last),
             ]
         else:
-            yield _cut(paths, group, first, last, window, eye_m, frame)
+            report(progress, done / total)
+            yield from _pieces_in(
+                window, _stretches(paths, group, first, last), paths, eye_m, frame
+            )
+            done += size * (last - first)
 
 
 def _window(paths: Paths, group: slice, first: int, last: int) -> tuple[int, int, int, int]:
@@ -230,89 +225,37 @@ def _clip(first: int, last: int, size: int) -> tuple[int, int]:
     return first, max(min(last, size - 1), first + 1)
 
 
-def _crossings(start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return interval number + share of it at each whole number passed."""
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    first = np.ceil(low)
-    passed = np.isfinite(low) & np.isfinite(high) & (high > low)
-    count = np.where(passed, np.maximum(np.floor(high) - first + 1, 0), 0).astype(np.int64)
-    interval = np.repeat(np.arange(len(start)), count)
-    running = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    share = (first[interval] + running - start[interval]) / (end - start)[interval]
-    return interval + np.clip(share, 0.0, 1.0 - 1e-12)
+def _stretches(paths: Paths, group: slice, first: int, last: int) -> Stretches:
+    """Return the stretches between knots of a run of azimuths, on the DEM's grid."""
+    ray, knot = (index.ravel() for index in np.mgrid[group, first:last])
+    start, step = paths.knot_m[knot], paths.knot_m[first + 1] - paths.knot_m[first]
+    end = np.minimum(paths.knot_m[knot + 1], paths.end_m[ray])
+    column, row = paths.column[ray, knot], paths.row[ray, knot]
+    columns_per_m = (paths.column[ray, knot + 1] - column) / step
+    rows_per_m = (paths.row[ray, knot + 1] - row) / step
+    # A path that ends underfoot stays, for what is known there.
+    on_dem = ((end > start) | (start == 0)) & np.isfinite(columns_per_m)
+    return Stretches(
+        ray, start, end, column, row, columns_per_m, rows_per_m, np.full(len(ray), np.nan)
+    ).take(on_dem)
 
 
-def _cut(
-    paths: Paths,
-    group: slice,
-    first: int,
-    last: int,
+def _pieces_in(
     window: tuple[int, int, int, int],
+    stretches: Stretches,
+    paths: Paths,
     eye_m: float,
     frame: LocalFrame,
-) -> ProfilePieces:
-    """Cut a stretch of profiles at every grid line and fit each piece's quadratic."""
+) -> Iterator[ProfilePieces]:
+    """Yield the pieces of stretches within a window of the DEM, in blocks."""
     left, top, columns, rows = window
     ground = paths.dem.read(left, top, columns, rows) - eye_m
-    knots = paths.knot_m[first : last + 1]
-    intervals = last - first
-    u0 = (paths.column[group, first:last] - left).ravel()
-    u1 = (paths.column[group, first + 1 : last + 1] - left).ravel()
-    v0 = (paths.row[group, first:last] - top).ravel()
-    v1 = (paths.row[group, first + 1 : last + 1] - top).ravel()
-    level = np.full(len(u0), np.nan)
+    stretches = replace(stretches, column=stretches.column - left, row=stretches.row - top)
     if paths.tangents is not None:
-        rays = ray_heights(paths.tangents, group, knots, frame)
-        level = level_ground(ground, (u0, u1, v0, v1), rays)
-    detailed = np.isnan(level)
-    # One number orders all cuts of all azimuths: interval plus share of it.
-    cut = np.sort(
-        np.concatenate([
-            np.arange(len(u0), dtype=float),
-            _crossings(u0, np.where(detailed, u1, u0)),
-            _crossings(v0, np.where(detailed, v1, v0)),
-        ])
-    )  # fmt: skip
-    interval = cut.astype(np.int64)
-    share = cut - interval
-    end_share = np.append(share[1:], 1.0)
-    end_share[np.append(interval[1:] != interval[:-1], True)] = 1.0
-    ray = interval // intervals
-    step = knots[1] - knots[0]
-    base = knots[interval % intervals]
-    path_end = paths.end_m[group][ray]
-    end_m = np.minimum(base + step * end_share, path_end)
-    keep = end_m - (base + step * share) > _SLIVER_M
-    # A path that ends where it begins still says what is underfoot there.
-    keep |= (path_end <= _SLIVER_M) & np.append(True, ray[1:] != ray[:-1])
-    keep &= np.isfinite(u0[interval]) & np.isfinite(u1[interval])
-    interval, share, ray, end_m = interval[keep], share[keep], ray[keep], end_m[keep]
-    cut_m = knots[interval % intervals] + step * share
-    begins = np.append(True, ray[1:] != ray[:-1])[: len(ray)]
-    start_m = np.where(begins, knots[0], np.append(0.0, end_m[:-1])[: len(ray)])
-
-    du, dv = ((u1 - u0) / step)[interval], ((v1 - v0) / step)[interval]
-    length = end_m - cut_m
-    u = u0[interval] + du * (step * share)
-    v = v0[interval] + dv * (step * share)
-    cell_u = np.clip(np.floor(u + du * length / 2).astype(np.int64), 0, columns - 2)
-    cell_v = np.clip(np.floor(v + dv * length / 2).astype(np.int64), 0, rows - 2)
-    flat = ground.ravel()
-    corner = cell_v * columns + cell_u
-    h00, h10 = flat[corner], flat[corner + 1]
-    h01, h11 = flat[corner + columns], flat[corner + columns + 1]
-    u -= cell_u
-    v -= cell_v
-    slope_u, slope_v, twist = h10 - h00, h01 - h00, h11 - h10 - h01 + h00
-    # Height over the detector at a distance x past the cut: here + there x + bend x².
-    detailed = detailed[interval]
-    here = np.where(detailed, h00 + u * slope_u + v * slope_v + u * v * twist, level[interval])
-    there = np.where(detailed, du * slope_u + dv * slope_v + (u * dv + v * du) * twist, 0.0)
-    bend = np.where(detailed, du * dv * twist, 0.0)
-    # A detector on the ground is on it, whatever rounding says.
-    constant_is_rounding = (start_m == 0) & (np.abs(here) < _TOUCH_M)
-    quadratic = bend - 1 / (2 * frame.radius_m)
-    linear = there - 2 * bend * cut_m
-    constant = here - there * cut_m + bend * cut_m**2
-    constant[constant_is_rounding] = 0.0
-    return ProfilePieces(ray + group.start, start_m, end_m, constant, linear, quadratic)
+        stretches = level_stretches(stretches, ground, *paths.tangents, frame.radius_m)
+    pieces = 1 + np.where(stretches.detailed, stretches.cells, 0)
+    block = (np.cumsum(pieces) // MAX_PIECES).astype(np.int64)
+    edges = [0, *(1 + np.flatnonzero(np.diff(block))), len(block)]
+    for start, end in zip(edges, edges[1:]):
+        if end > start:
+            yield cut_stretches(stretches.take(slice(start, end)), ground, frame.radius_m)

@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..progress import Progress, report, silent
+from ..progress import Progress, silent
+from ..progress import part as share
 from ..radiography.raytracing import Outcome, ProfilePieces, RockPaths, rock_along_rays
 from .frame import LocalFrame
-from .profiles import azimuth_groups, azimuth_parts, lay_paths, profile_pieces, reach_m
+from .profiles import azimuth_parts, lay_paths, profile_pieces, reach_m
 
 
 def trace_terrain(
@@ -77,10 +78,9 @@ def trace_terrain(
             rays = None if tangents is None else (tangents[0][part], tangents[1][part])
             paths = lay_paths(frame, azimuth[part], near_field_m, reach, max_range_m, rays)
             range_m[part] = paths.range_m
-            for group in azimuth_groups(paths):
-                for pieces in profile_pieces(paths, group, eye_m, frame):
-                    report(progress, (part.start + group.start) / len(azimuth))
-                    yield replace(pieces, ray=pieces.ray + part.start)
+            done = share(progress, part.start / len(azimuth), part.stop / len(azimuth))
+            for pieces in profile_pieces(paths, slice(0, len(paths.end_m)), eye_m, frame, done):
+                yield replace(pieces, ray=pieces.ray + part.start)
 
     rock = rock_along_rays(blocks((lowest, highest)), elevation, range_m)
     if np.any(rock.outcome == Outcome.NO_DATA):
