@@ -16,6 +16,7 @@ from .errors import MuyscError
 from .muogram import Muogram
 from .progress import Progress, part, report, silent
 from .radiography.aperture import Aperture
+from .radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from .radiography.counting import check_positive, exposure_days
 from .radiography.raytracing import Outcome
 from .radiography.settings import Physics
@@ -23,9 +24,6 @@ from .radiography.transmission import attenuate
 from .topography.footprint import Outline, aperture_outline, ground_seen
 from .topography.sight import Sight
 from .topography.tracing import trace_terrain
-
-#: Opacity (g/cm²) of 1 m of matter of 1 g/cm³.
-G_CM2_PER_M = 100.0
 
 #: What the log says of rays without a flux, by cause.
 _CAUSES = {
@@ -190,10 +188,11 @@ def through_rock(
     Cancelled
         If `progress` asks for a stop.
     """
+    opacity_of_1_m = physics.density * G_CM2_PER_M_WATER_EQUIVALENT
     if rock.quantity == "thickness":
-        thickness, opacity = rock.values, rock.values * (physics.density * G_CM2_PER_M)
+        thickness, opacity = rock.values, rock.values * opacity_of_1_m
     elif rock.quantity == "opacity":
-        thickness, opacity = rock.values / (physics.density * G_CM2_PER_M), rock.values
+        thickness, opacity = rock.values / opacity_of_1_m, rock.values
     else:
         raise MuyscError(
             f"The muogram holds {rock.quantity}, and the flux follows from thickness or "

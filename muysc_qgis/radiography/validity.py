@@ -86,33 +86,31 @@ def sentences(counts: Mapping[str, int], physics: Physics, altitude_m: float) ->
         f"/{model.limiting_cosine_sign}" if model.upper_per_cosine else ""
     )
     loss = "polynomial of Lesparre et al."
+    straggling_limit = maximum_opacity_g_cm2(physics.material)
     texts = {
-        "opacity": "{} of unknown opacity: no flux.",
-        "horizon": "{} at or below the horizon, where no flux model has an answer: no flux.",
-        "energy loss": (
-            f"{{}} through more rock than the energy loss “{physics.energy_loss}” has an answer "
-            "for: no minimum energy, no flux."
-        ),
-        "zenith": f"{{}} beyond the {model.maximum_zenith_deg:g}° from the zenith that the flux "
-        f"model {title} is made for.",
-        "below": f"{{}} with a minimum energy below the {lower_text} from which the flux model "
+        "opacity": "{}: the opacity is unknown, so there is no flux.",
+        "horizon": "{}: at or below the horizon no flux model has an answer, so there is no flux.",
+        "energy loss": f"{{}}: the energy loss “{physics.energy_loss}” has no answer for so much "
+        "rock, so there is no minimum energy and no flux.",
+        "zenith": f"{{}}: farther from the zenith than the {model.maximum_zenith_deg:g}° that the "
+        f"flux model {title} is made for.",
+        "below": f"{{}}: the minimum energy is below the {lower_text} from which the flux model "
         f"{title} holds.",
-        "above": f"{{}} with a minimum energy above the {upper_text} up to which the flux model "
+        "above": f"{{}}: the minimum energy is above the {upper_text} up to which the flux model "
         f"{title} holds.",
-        "open sky": f"{{}} whose open sky starts far below the {lower_text} from which the flux "
-        f"model {title} holds: open sky and transmission are rough there; set a detection "
-        "threshold or choose another model.",
-        "altitude": f"{{}} at {altitude_m:.0f} m: the altitude correction is made for up to "
-        f"{MAXIMUM_ALTITUDE_M:g} m.",
-        "altitude momentum": "{} whose muons start below the "
+        "open sky": f"{{}}: the open sky starts far below the {lower_text} from which the flux "
+        f"model {title} holds, so open sky and transmission are rough; set a detection threshold "
+        "or choose another model.",
+        "altitude": f"{{}}: the altitude correction is made for up to {MAXIMUM_ALTITUDE_M:g} m and "
+        f"the detector is at {altitude_m:.0f} m.",
+        "altitude momentum": "{}: the muons counted start below the "
         f"{MINIMUM_MOMENTUM_GEV:g} GeV/c from which the altitude correction holds.",
-        "lesparre": f"{{}} with a minimum energy above the {LESPARRE_LIMIT_GEV:g} GeV up to which "
+        "lesparre": f"{{}}: the minimum energy is above the {LESPARRE_LIMIT_GEV:g} GeV up to which "
         f"the {loss} holds.",
-        "lesparre material": f"{{}} through {MATERIALS[physics.material].title.lower()}, while the "
-        f"{loss} is made for standard rock.",
-        "straggling": "{} through more than the "
-        f"{maximum_opacity_g_cm2(physics.material):.3g} g/cm² up to which the straggling "
-        "correction is known.",
+        "lesparre material": f"{{}}: the rock is {MATERIALS[physics.material].title.lower()}, and "
+        f"the {loss} is made for standard rock.",
+        "straggling": f"{{}}: the opacity is above the {straggling_limit:.3g} g/cm² up to which "
+        "the straggling correction is known.",
     }
     return tuple(
         text.format("1 ray" if counts[name] == 1 else f"{counts[name]} rays")

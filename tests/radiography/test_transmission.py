@@ -239,8 +239,8 @@ def test_good_settings_warn_of_nothing():
 def test_rays_outside_a_spectrum_are_counted():
     gaisser = Physics(flux_model="gaisser")
     text = warned([0.0, 1e4, 2e4, 3e5], 30.0, gaisser)
-    assert "2 rays with a minimum energy below the 100 GeV/cosθ" in text
-    assert "4 rays whose open sky starts far below" in text
+    assert "2 rays: the minimum energy is below the 100 GeV/cosθ" in text
+    assert "4 rays: the open sky starts far below" in text
     assert "1 ray beyond the 70° from the zenith" in warned([3e5], 15.0, gaisser)
     assert "beyond the 10° from the zenith" in warned([1e5], 45.0, Physics(flux_model="bugaev"))
     assert warned([1e5], 85.0, Physics(flux_model="bugaev")) == ""
