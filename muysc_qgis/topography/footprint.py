@@ -42,8 +42,9 @@ def aperture_outline(azimuth_deg: np.ndarray, width_deg: float, radius_m: float)
 
 
 def ground_seen(azimuth_deg: np.ndarray, distance_m: np.ndarray, width_deg: float) -> list[Outline]:
-    """Return, for each run of azimuths with rock, the band between the nearest and the
-    farthest rock face seen.
+    """Return the bands between the nearest and the farthest rock face seen.
+
+    One band for each run of azimuths with rock.
 
     Parameters
     ----------

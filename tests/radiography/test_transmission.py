@@ -159,7 +159,7 @@ def test_unknown_opacity_leaves_only_the_open_sky():
     assert np.isnan(result.transmission[0])
     assert result.open_sky[0] == result.open_sky[1]
     assert result.unanswered == {"opacity": 1, "horizon": 0, "energy loss": 0}
-    assert any(text.startswith("1 ray of unknown opacity") for text in result.warnings)
+    assert any(text.startswith("1 ray: the opacity is unknown") for text in result.warnings)
 
 
 def test_below_the_horizon_only_the_minimum_energy_is_known():
@@ -169,7 +169,7 @@ def test_below_the_horizon_only_the_minimum_energy_is_known():
     np.testing.assert_allclose(result.minimum_energy_gev[[0, 1, 3]], result.minimum_energy_gev[3])
     assert result.minimum_energy_gev[2] == 0
     assert result.unanswered["horizon"] == 3
-    assert any("3 rays at or below the horizon" in text for text in result.warnings)
+    assert any("3 rays: at or below the horizon" in text for text in result.warnings)
 
 
 def test_rays_without_a_minimum_energy_are_no_data_and_counted():
@@ -178,7 +178,7 @@ def test_rays_without_a_minimum_energy_are_no_data_and_counted():
     np.testing.assert_array_equal(np.isnan(result.flux), [[False, True], [True, False]])
     assert np.all(np.isfinite(result.open_sky))
     assert result.unanswered["energy loss"] == 2
-    assert any("2 rays through more rock" in text for text in result.warnings)
+    assert any("2 rays: the energy loss “paper” has no answer" in text for text in result.warnings)
 
 
 def test_rows_of_a_muogram_and_single_rays_agree():
@@ -241,7 +241,7 @@ def test_rays_outside_a_spectrum_are_counted():
     text = warned([0.0, 1e4, 2e4, 3e5], 30.0, gaisser)
     assert "2 rays: the minimum energy is below the 100 GeV/cosθ" in text
     assert "4 rays: the open sky starts far below" in text
-    assert "1 ray beyond the 70° from the zenith" in warned([3e5], 15.0, gaisser)
+    assert "1 ray: farther from the zenith than the 70°" in warned([3e5], 15.0, gaisser)
     assert "beyond the 10° from the zenith" in warned([1e5], 45.0, Physics(flux_model="bugaev"))
     assert warned([1e5], 85.0, Physics(flux_model="bugaev")) == ""
     reyna = Physics(flux_model="reyna-bugaev")
@@ -259,21 +259,21 @@ def test_altitude_outside_its_range_is_named():
     guan = Physics(flux_model="guan")
     assert "below the 10 GeV/c" in warned([1e3], 30.0, guan, 500.0)
     assert "up to 1000 m" not in warned([1e3], 30.0, guan, 500.0)
-    assert "1 ray at 2500 m" in warned([3e5], 30.0, guan, 2500.0)
+    assert "1 ray: the altitude correction is made for up to 1000 m and the detector is at 2500 m" in warned([3e5], 30.0, guan, 2500.0)
     off = Physics(flux_model="guan", altitude_correction=False)
     assert warned([1e3], 30.0, off, 2500.0) == ""
 
 
 def test_energy_loss_outside_its_range_is_named():
     lesparre = Physics(flux_model="guan", energy_loss="lesparre")
-    assert "1 ray with a minimum energy above the 1000 GeV" in warned([1e4, 3e5], 30.0, lesparre)
+    assert "1 ray: the minimum energy is above the 1000 GeV" in warned([1e4, 3e5], 30.0, lesparre)
     granite = Physics(flux_model="guan", energy_loss="lesparre", material="granite")
     assert "1 ray through granite" in warned([0.0, 1e4], 30.0, granite)
 
 
 def test_straggling_outside_its_range_is_named():
     guan = Physics(flux_model="guan")
-    assert "1 ray through more than the 1.5e+06 g/cm²" in warned([1e6, 1.6e6], 80.0, guan)
+    assert "1 ray: the opacity is above the 1.5e+06 g/cm²" in warned([1e6, 1.6e6], 80.0, guan)
     off = Physics(flux_model="guan", straggling=False)
     assert "straggling" not in warned([1.6e6], 80.0, off)
 
