@@ -204,7 +204,7 @@ def through_rock(
     muons = attenuate(opacity, rock.elevation_deg[:, None], physics, altitude_m)
     exposure = exposure_days(muons.flux, telescope.acceptance_cm2_sr, telescope.muons)
     report(progress, 1.0)
-    metadata = {
+    metadata: dict[str, str | float] = {
         "MATERIAL": physics.material,
         "DENSITY": physics.density,
         "FLUX_MODEL": physics.flux_model,

@@ -242,7 +242,7 @@ def test_rays_outside_a_spectrum_are_counted():
     assert "2 rays: the minimum energy is below the 100 GeV/cosθ" in text
     assert "4 rays: the open sky starts far below" in text
     assert "1 ray: farther from the zenith than the 70°" in warned([3e5], 15.0, gaisser)
-    assert "beyond the 10° from the zenith" in warned([1e5], 45.0, Physics(flux_model="bugaev"))
+    assert "farther from the zenith than the 10°" in warned([1e5], 45.0, Physics(flux_model="bugaev"))
     assert warned([1e5], 85.0, Physics(flux_model="bugaev")) == ""
     reyna = Physics(flux_model="reyna-bugaev")
     assert "1 ray with a minimum energy above the 2000 GeV/cosθ" in warned([1e4, 5e5], 80.0, reyna)
@@ -268,7 +268,7 @@ def test_energy_loss_outside_its_range_is_named():
     lesparre = Physics(flux_model="guan", energy_loss="lesparre")
     assert "1 ray: the minimum energy is above the 1000 GeV" in warned([1e4, 3e5], 30.0, lesparre)
     granite = Physics(flux_model="guan", energy_loss="lesparre", material="granite")
-    assert "1 ray through granite" in warned([0.0, 1e4], 30.0, granite)
+    assert "1 ray: the rock is granite" in warned([0.0, 1e4], 30.0, granite)
 
 
 def test_straggling_outside_its_range_is_named():
