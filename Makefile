@@ -51,10 +51,5 @@ packages:
 development-packages:
 	@tools/debian_packages develop
 
-# Written last, so an interrupted set-up is done again.
-.venv/ready: tools/requirements.txt | development-packages
-	@echo "Setting up .venv with the development tools …"
-	@$(PYTHON) -m venv --clear --system-site-packages .venv
-	@$(VENV_PYTHON) -m pip install --quiet --disable-pip-version-check --no-input \
-		--requirement tools/requirements.txt
-	@touch $@
+.venv/ready: tools/requirements.txt tools/development_tools | development-packages
+	@tools/development_tools
