@@ -1,0 +1,1 @@
+"""Telescopes of pixel planes: geometry, acceptance, directions, counting statistics."""
