@@ -112,6 +112,20 @@ def _step(axis: np.ndarray, name: str) -> float:
     return float(step)
 
 
+@dataclass(frozen=True)
+class Grid:
+    """What a raster of directions holds, whatever its axes mean."""
+
+    #: Key of `QUANTITIES`.
+    quantity: str
+    #: (n_y, n_x).
+    values: np.ndarray
+    #: (n_x,) increasing and (n_y,) decreasing pixel centres.
+    x: np.ndarray
+    y: np.ndarray
+    metadata: Mapping[str, str | float]
+
+
 def write_muogram(muogram: Muogram, path: str | Path) -> None:
     """Write a muogram as a self-describing single-band GeoTIFF.
 
@@ -123,35 +137,62 @@ def write_muogram(muogram: Muogram, path: str | Path) -> None:
     MuyscError
         If the directions are not evenly spaced or the file cannot be written.
     """
+    axes = muogram.azimuth_deg, muogram.elevation_deg
+    write_grid(
+        Grid(muogram.quantity, muogram.values, *axes, muogram.metadata),
+        path,
+        ("azimuth", "elevation"),
+    )
+
+
+def write_grid(
+    grid: Grid, path: str | Path, names: tuple[str, str], lonely_step: float = 1.0
+) -> None:
+    """Write a grid as a self-describing single-band GeoTIFF.
+
+    Parameters
+    ----------
+    grid
+        What to write.
+    path
+        The file.
+    names
+        Names of the axes x and y, for messages.
+    lonely_step
+        Size of a pixel that is alone on its axis.
+
+    Raises
+    ------
+    MuyscError
+        If an axis is not evenly spaced or the file cannot be written.
+    """
     from osgeo import gdal
 
     gdal.UseExceptions()
-    azimuth_step = _step(muogram.azimuth_deg, "azimuth")
-    elevation_step = _step(muogram.elevation_deg, "elevation")
-    if len(muogram.elevation_deg) == 1:
-        elevation_step = -1.0
-    rows, columns = muogram.values.shape
+    kind = QUANTITIES[grid.quantity]
+    step_x = _step(grid.x, names[0]) if len(grid.x) > 1 else lonely_step
+    step_y = _step(grid.y, names[1]) if len(grid.y) > 1 else -lonely_step
+    rows, columns = grid.values.shape
     try:
         dataset = gdal.GetDriverByName("GTiff").Create(
             str(path), columns, rows, 1, gdal.GDT_Float32,
             ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "BIGTIFF=IF_SAFER"],
         )  # fmt: skip
         dataset.SetGeoTransform((
-            muogram.azimuth_deg[0] - azimuth_step / 2, azimuth_step, 0.0,
-            muogram.elevation_deg[0] - elevation_step / 2, 0.0, elevation_step,
+            grid.x[0] - step_x / 2, step_x, 0.0, grid.y[0] - step_y / 2, 0.0, step_y,
         ))  # fmt: skip
         entries = {
-            "QUANTITY": muogram.quantity,
-            "UNIT": muogram.kind.unit,
+            "QUANTITY": grid.quantity,
+            "UNIT": kind.unit,
             "VERSION": __version__,
-            **{key: as_text(value) for key, value in muogram.metadata.items()},
+            **{key: as_text(value) for key, value in grid.metadata.items()},
         }
         dataset.SetMetadata(entries, DOMAIN)
         band = dataset.GetRasterBand(1)
         band.SetNoDataValue(float("nan"))
-        band.SetDescription(muogram.kind.label)
-        band.SetUnitType(muogram.kind.unit)
-        band.WriteArray(muogram.values.astype(np.float32))
+        band.SetDescription(kind.label)
+        band.SetUnitType(kind.unit)
+        band.WriteArray(grid.values.astype(np.float32))
         band.FlushCache()
         dataset.FlushCache()
         del band, dataset
@@ -166,6 +207,25 @@ def as_text(value: str | float) -> str:
 
 def read_muogram(path: str | Path) -> Muogram:
     """Read a muogram raster.
+
+    Raises
+    ------
+    MuyscError
+        If the file is not a raster, holds more than one band, is rotated, lacks
+        the metadata that says what it holds, or is in telescope angles.
+    """
+    grid = read_grid(path)
+    projection = str(grid.metadata.get("PROJECTION", "angles"))
+    if projection != "angles":
+        raise MuyscError(
+            f"{path} is a raster in telescope angles (PROJECTION {projection}), where a muogram "
+            "of azimuth and elevation is needed; choose one made by Muon radiography."
+        )
+    return Muogram(grid.quantity, grid.values, grid.x, grid.y, grid.metadata)
+
+
+def read_grid(path: str | Path) -> Grid:
+    """Read a raster of directions, whatever its axes mean.
 
     Raises
     ------
@@ -194,8 +254,8 @@ def read_muogram(path: str | Path) -> Muogram:
             f"{path} has {dataset.RasterCount} bands where a muogram has 1; "
             "choose a raster made by a MUYSC algorithm."
         )
-    left, azimuth_step, skew_x, top, skew_y, elevation_step = dataset.GetGeoTransform()
-    if skew_x or skew_y or azimuth_step <= 0 or elevation_step >= 0:
+    left, step_x, skew_x, top, skew_y, step_y = dataset.GetGeoTransform()
+    if skew_x or skew_y or step_x <= 0 or step_y >= 0:
         raise MuyscError(
             f"{path} is rotated or upside down (geotransform {dataset.GetGeoTransform()}); "
             "a muogram has azimuth to the right and elevation upwards."
@@ -208,10 +268,10 @@ def read_muogram(path: str | Path) -> Muogram:
     no_data = band.GetNoDataValue()
     if no_data is not None and not np.isnan(no_data):
         values[values == no_data] = np.nan
-    return Muogram(
+    return Grid(
         quantity,
         values,
-        left + azimuth_step * (np.arange(dataset.RasterXSize) + 0.5),
-        top + elevation_step * (np.arange(dataset.RasterYSize) + 0.5),
+        left + step_x * (np.arange(dataset.RasterXSize) + 0.5),
+        top + step_y * (np.arange(dataset.RasterYSize) + 0.5),
         metadata,
     )

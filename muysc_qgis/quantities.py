@@ -49,6 +49,9 @@ class Quantity:
         return self.title if self.unit == "1" else f"{self.title} ({self.unit})"
 
 
+#: What the name of a quantity's standard error ends in.
+ERROR_SUFFIX = "_error"
+
 QUANTITIES = {
     quantity.name: quantity
     for quantity in (
@@ -62,5 +65,28 @@ QUANTITIES = {
         Quantity("counts", "Muon counts", "1", "magma", True),
         Quantity("density", "Mean density", "g/cm³", "cividis", False),
         Quantity("distance", "Distance to the first rock", "m", "cividis", False),
+        Quantity("thickness_error", "Error of the rock thickness", "m", "plasma", True),
+        Quantity("opacity_error", "Error of the opacity", "g/cm²", "plasma", True),
+        Quantity("flux_error", "Error of the muon flux", "cm⁻² sr⁻¹ day⁻¹", "plasma", True),
+        Quantity("transmission_error", "Error of the transmission", "1", "plasma", True),
+        Quantity("counts_error", "Error of the muon counts", "1", "plasma", True),
+        Quantity("density_error", "Error of the mean density", "g/cm³", "plasma", False),
+        Quantity("density_lower", "Lower end of the mean density", "g/cm³", "cividis", False),
+        Quantity("density_upper", "Upper end of the mean density", "g/cm³", "cividis", False),
+        Quantity("density_flags", "What the mean density is", "1", "viridis", False),
+        # Over the flux models that hold.
+        Quantity("flux_minimum", "Smallest muon flux", "cm⁻² sr⁻¹ day⁻¹", "magma", True),
+        Quantity("flux_maximum", "Largest muon flux", "cm⁻² sr⁻¹ day⁻¹", "magma", True),
+        Quantity("density_minimum", "Smallest mean density", "g/cm³", "cividis", False),
+        Quantity("density_maximum", "Largest mean density", "g/cm³", "cividis", False),
+        Quantity("acceptance", "Acceptance", "cm² sr", "viridis", False),
+        Quantity("solid_angle", "Solid angle", "sr", "cividis", False),
+        Quantity("detection_area", "Detection area", "cm²", "plasma", False),
+        Quantity("path_length", "Path between the planes", "cm", "magma", False),
+        Quantity("angular_resolution", "Angular resolution", "mrad", "cividis", False),
+        Quantity("open_sky_counts", "Open-sky muon counts", "1", "magma", True),
+        Quantity("relative_error", "Counting error", "%", "viridis", True),
+        Quantity("density_resolution", "Smallest visible density contrast", "%", "viridis", True),
+        Quantity("contrast_days", "Days to see the density contrast", "days", "plasma", True),
     )
 }

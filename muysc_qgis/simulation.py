@@ -139,7 +139,7 @@ def simulate(
         near_field_m,
         part(progress, 0.0, _TRACED),
     )
-    metadata = _describe(sight, max_range_m, near_field_m)
+    metadata = describe(sight, max_range_m, near_field_m)
     thickness = Muogram("thickness", rock.thickness_m.T[::-1], azimuth, elevation, metadata)
     result = through_rock(thickness, physics, telescope, progress=part(progress, _TRACED, 1.0))
     distance = result.muograms["flux"].with_values("distance", rock.distance_m.T[::-1])
@@ -148,7 +148,7 @@ def simulate(
     return Simulation(
         {**result.muograms, "distance": distance},
         (
-            *_terrain_warnings(sight, counts, pixels, max_range_m),
+            *terrain_warnings(sight, counts, pixels, max_range_m),
             *result.warnings,
         ),
         {
@@ -205,14 +205,7 @@ def through_rock(
     exposure = exposure_days(muons.flux, telescope.acceptance_cm2_sr, telescope.muons)
     report(progress, 1.0)
     metadata: dict[str, str | float] = {
-        "MATERIAL": physics.material,
-        "DENSITY": physics.density,
-        "FLUX_MODEL": physics.flux_model,
-        "GAISSER_PARAMETERS": physics.gaisser_parameters,
-        "ENERGY_LOSS": physics.energy_loss,
-        "STRAGGLING": "yes" if physics.straggling else "no",
-        "ALTITUDE_CORRECTION": "yes" if physics.altitude_correction else "no",
-        "DETECTION_THRESHOLD": physics.detection_threshold_gev,
+        **describe_physics(physics),
         "ACCEPTANCE": telescope.acceptance_cm2_sr,
         "MUONS": telescope.muons,
     }
@@ -264,7 +257,7 @@ def check_range(max_range_m: float | None, near_field_m: float) -> None:
         )
 
 
-def _describe(
+def describe(
     sight: Sight, max_range_m: float | None, near_field_m: float
 ) -> dict[str, str | float]:
     """Return what later steps need to know about the geometry."""
@@ -289,9 +282,32 @@ def _describe(
     return description
 
 
-def _terrain_warnings(
+def describe_physics(physics: Physics) -> dict[str, str | float]:
+    """Return what later steps need to know about the physics."""
+    return {
+        "MATERIAL": physics.material,
+        "DENSITY": physics.density,
+        "FLUX_MODEL": physics.flux_model,
+        "GAISSER_PARAMETERS": physics.gaisser_parameters,
+        "ENERGY_LOSS": physics.energy_loss,
+        "STRAGGLING": "yes" if physics.straggling else "no",
+        "ALTITUDE_CORRECTION": "yes" if physics.altitude_correction else "no",
+        "DETECTION_THRESHOLD": physics.detection_threshold_gev,
+    }
+
+
+def terrain_warnings(
     sight: Sight, counts: np.ndarray, pixels: int, max_range_m: float | None
 ) -> tuple[str, ...]:
+    """Return a sentence for whatever on the terrain limits the result.
+
+    Parameters
+    ----------
+    sight, max_range_m
+        What was looked at.
+    counts
+        Number of rays by `Outcome`, of `pixels` in all.
+    """
     warnings = [*sight.frame.dem.assumptions]
     if sight.detector_height_m < 0:
         warnings.append(
