@@ -14,6 +14,7 @@ ALGORITHMS = ROOT / "processing_algorithms"
 #: Libraries by room; the longest path that fits a file counts.
 ROOMS = {
     "muysc_qgis/radiography": {"numpy", "scipy"},
+    "muysc_qgis/measurement": {"numpy", "scipy"},
     "muysc_qgis/telescope": {"numpy", "scipy"},
     "muysc_qgis/tomography": {"numpy", "scipy"},
     "muysc_qgis/topography": {"numpy", "scipy", "osgeo", "pyproj"},
@@ -27,6 +28,7 @@ ROOMS = {
 #: file and no picture, and terrain knows no picture.
 NEIGHBOURS = {
     "muysc_qgis/radiography": {"radiography", "errors", "progress", "quantities"},
+    "muysc_qgis/measurement": {"measurement", "radiography", "errors", "quantities", "muogram"},
     "muysc_qgis/topography": {
         "topography", "radiography", "errors", "progress", "quantities", "muogram", "__version__",
     },

@@ -1,0 +1,1 @@
+"""What was measured: reading it from text, counting errors, and the density that explains it."""

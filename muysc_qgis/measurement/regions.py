@@ -1,0 +1,77 @@
+"""Merging neighbouring pixels until each region has counted enough."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def merge_pixels(counts: np.ndarray, usable: np.ndarray, minimum: float) -> np.ndarray:
+    """Cut a muogram into rectangles that each hold a minimum of counts.
+
+    The whole picture is halved, each half is halved again and so on, across the longer
+    side and where the counts on both sides are most nearly equal, as long as both sides
+    keep the minimum.
+
+    Parameters
+    ----------
+    counts
+        (n_elevation, n_azimuth) counts of 0 or more.
+    usable
+        (n_elevation, n_azimuth), which pixels take part.
+    minimum
+        Counts that a region must hold; a picture with fewer stays one region.
+
+    Returns
+    -------
+    numpy.ndarray
+        (n_elevation, n_azimuth) number of each pixel's region from 0, −1 where not usable.
+    """
+    label = np.full(counts.shape, -1)
+    # Sums over any rectangle from four corners.
+    total = np.zeros((counts.shape[0] + 1, counts.shape[1] + 1))
+    total[1:, 1:] = np.where(usable, counts, 0.0).cumsum(axis=0).cumsum(axis=1)
+    number = 0
+    waiting = [(0, counts.shape[0], 0, counts.shape[1])]
+    while waiting:
+        top, bottom, left, right = _shrunk(waiting.pop(), usable)
+        if bottom == top:
+            continue
+        cut = None
+        sides = ((bottom - top, 0), (right - left, 1))
+        for _, axis in sorted(sides, reverse=True):
+            box = total[top : bottom + 1, left : right + 1]
+            along = box[:, -1] - box[:, 0] if axis == 0 else box[-1] - box[0]
+            cut = _cut(along - along[0], minimum)
+            if cut is not None:
+                break
+        if cut is None:
+            region = label[top:bottom, left:right]
+            region[usable[top:bottom, left:right]] = number
+            number += 1
+        elif axis == 0:
+            waiting += [(top, top + cut, left, right), (top + cut, bottom, left, right)]
+        else:
+            waiting += [(top, bottom, left, left + cut), (top, bottom, left + cut, right)]
+    return label
+
+
+def _shrunk(box: tuple[int, int, int, int], usable: np.ndarray) -> tuple[int, int, int, int]:
+    """Return a rectangle without the rows and columns at its edges that take no part."""
+    top, bottom, left, right = box
+    inside = usable[top:bottom, left:right]
+    rows, columns = np.flatnonzero(inside.any(axis=1)), np.flatnonzero(inside.any(axis=0))
+    if not rows.size:
+        return top, top, left, left
+    return (
+        top + int(rows[0]), top + int(rows[-1]) + 1,
+        left + int(columns[0]), left + int(columns[-1]) + 1,
+    )  # fmt: skip
+
+
+def _cut(running: np.ndarray, minimum: float) -> int | None:
+    """Return where to cut a row of sums so that both sides keep the minimum, None if nowhere."""
+    if len(running) < 3:
+        return None
+    lesser = np.minimum(running[1:-1], running[-1] - running[1:-1])
+    best = int(np.argmax(lesser))
+    return best + 1 if lesser[best] >= max(minimum, 1.0) else None
