@@ -126,6 +126,24 @@ def test_ray_along_the_ground_is_in_the_open():
     assert np.all(np.isnan(rock.distance_m[0, 1:]))
 
 
+def test_ray_that_only_touches_a_crest_meets_no_rock():
+    # Crests one rounding step higher than the ray, where its stretch in rock may
+    # round to nothing.
+    generator = np.random.default_rng(0)
+    elevation = np.sort(generator.uniform(1.0, 60.0, 400))
+    profiles = []
+    for ray, tangent in enumerate(np.tan(np.radians(elevation))):
+        s = generator.uniform(10.0, 1000.0)
+        crest = np.nextafter(tangent * s, np.inf)
+        near, far = ((crest - slope * s, slope, 0.0) for slope in (tangent + 1.0, tangent - 1.0))
+        profiles.append(profile((s - 5.0, s, near), (s, s + 5.0, far), ray=ray))
+    rock = rock_along_rays([joined(profiles)], elevation[:, None], np.full(400, np.inf))
+    assert rock.thickness_m.max() < 1e-9
+    assert 0 < np.count_nonzero(rock.thickness_m) < 400
+    np.testing.assert_array_equal(np.isfinite(rock.distance_m), rock.thickness_m > 0)
+    np.testing.assert_array_equal(np.isfinite(rock.exit_m), rock.thickness_m > 0)
+
+
 def test_rock_at_the_profile_end_is_unknown_but_where_it_begins_is_known():
     rock = look([5.0], (0, 100, (-1, 0, 0)), (100, 200, (50, 0, 0)))
     assert rock.outcome[0, 0] == Outcome.EDGE

@@ -87,6 +87,21 @@ class TestGaps:
         )
         np.testing.assert_array_equal(trailing.outcome == Outcome.EDGE, in_rock)
 
+    def test_only_ground_on_the_profile_counts_as_around(self, ridge_dem, trace):
+        # A tower beside the path, where the ray is far above, is higher than the ray
+        # where it passes a gap in the plain.
+        def tower(east, north):
+            return np.where((np.abs(east - 1300) < 15) & (np.abs(north - 40) < 15), 100.0, 0.0)
+
+        path = ridge_dem(lambda e, n: np.abs(e - 300) < 30, shape=tower)
+        rock = trace(path, 90.0, np.array([10.0]), eye=1.0)
+        assert rock.outcome[0, 0] == Outcome.KNOWN
+        assert rock.thickness_m[0, 0] == 0
+        # Another ray whose profile crosses the tower makes it the highest around.
+        over_it = 90.0 - np.degrees(np.arctan(40 / 1300))
+        rock = trace(path, [90.0, over_it], np.array([10.0]), eye=1.0)
+        assert np.all(rock.outcome == Outcome.NO_DATA)
+
     def test_one_ray_past_a_gap_is_the_one_among_many_on_its_profile(self, ridge_dem, trace):
         path = ridge_dem(lambda e, n: np.abs(e - 850) < 30)
         many = trace(path, 90.0, RISING, eye=0.0)
@@ -252,6 +267,23 @@ class TestDetector:
         assert np.all(under.outcome == Outcome.EDGE)
         assert np.isnan(under.thickness_m).all()
 
+    @pytest.mark.parametrize("side", ["west", "east", "north", "south"])
+    def test_along_the_outermost_cells_rounding_does_not_end_the_view(self, write_dem, trace, side):
+        # A detector beyond the outermost cell centres by 1e-7 of a cell.
+        step = 1e-4
+        path = write_dem(
+            np.full((300, 300), 100.0), "EPSG:4326",
+            (-0.3 - step / 2, step, 0.0, 0.015 + step / 2, 0.0, -step),
+        )  # fmt: skip
+        west, east = -0.3 - 1e-11, -0.3 + 299 * step + 1e-11
+        north, south = 0.015 + 1e-11, 0.015 - 299 * step - 1e-11
+        x, y, azimuth = {
+            "west": (west, 0.0, [0.0, 180.0]), "east": (east, 0.0, [0.0, 180.0]),
+            "north": (-0.285, north, [90.0, 270.0]), "south": (-0.285, south, [90.0, 270.0]),
+        }[side]  # fmt: skip
+        rock = trace(path, azimuth, np.array([30.0]), x, y, above=-20.0)
+        np.testing.assert_allclose(rock.thickness_m, 40.0, rtol=1e-4)
+
     def test_close_to_the_edge_underground(self, metric_dem, trace):
         # 3 m from the edge and 2 m down: only rays steeper than 34° get out.
         path = metric_dem(lambda e, n: 100.0 + 0 * e, 10.0, 500.0, centre=(-497.0, 0.0))
@@ -310,6 +342,19 @@ class TestRays:
         assert np.all(np.diff(rock.thickness_m, axis=1) <= 0)
         assert rock.thickness_m[1, 0] > 1000.0
         assert rock.thickness_m[1, -1] == 0
+
+    @pytest.mark.parametrize("elevation", [2.0, 3.0, 5.0])
+    def test_highest_mountain_on_earth_is_within_reach(self, write_dem, trace, place, elevation):
+        # A wall of 8800 m where the ray has climbed to 8700 m over level ground.
+        t, radius = np.tan(np.radians(elevation)), place.radius
+        climbed = radius * (np.sqrt(t**2 + 2 * 8700.0 / radius) - t)
+        cell = 500.0
+        columns = int(climbed / cell) + 10
+        heights = np.zeros((5, columns))
+        heights[:, int(climbed / cell) :] = 8800.0
+        path = write_dem(heights, place.metric_crs, (-cell / 2, cell, 0.0, 2.5 * cell, 0.0, -cell))
+        rock = trace(path, 90.0, elevation, eye=0.0, max_range_m=climbed + 1000.0)
+        assert rock.thickness_m[0, 0] > 500.0
 
     def test_flat_detector_site_sees_nothing_above_the_horizon(self, metric_dem, trace):
         path = metric_dem(lambda e, n: 0 * e, 50.0, 5000.0)
