@@ -245,7 +245,7 @@ def test_rays_outside_a_spectrum_are_counted():
     assert "farther from the zenith than the 10°" in warned([1e5], 45.0, Physics(flux_model="bugaev"))
     assert warned([1e5], 85.0, Physics(flux_model="bugaev")) == ""
     reyna = Physics(flux_model="reyna-bugaev")
-    assert "1 ray with a minimum energy above the 2000 GeV/cosθ" in warned([1e4, 5e5], 80.0, reyna)
+    assert "1 ray: the minimum energy is above the 2000 GeV/cosθ" in warned([1e4, 5e5], 80.0, reyna)
     klimushin = Physics(gaisser_parameters="klimushin")
     assert "1 ray with a minimum energy below the 300 GeV" in warned([1e4, 3e5], 45.0, klimushin)
 
