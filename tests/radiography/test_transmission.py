@@ -247,7 +247,7 @@ def test_rays_outside_a_spectrum_are_counted():
     reyna = Physics(flux_model="reyna-bugaev")
     assert "1 ray: the minimum energy is above the 2000 GeV/cosθ" in warned([1e4, 5e5], 80.0, reyna)
     klimushin = Physics(gaisser_parameters="klimushin")
-    assert "1 ray with a minimum energy below the 300 GeV" in warned([1e4, 3e5], 45.0, klimushin)
+    assert "1 ray: the minimum energy is below the 300 GeV" in warned([1e4, 3e5], 45.0, klimushin)
 
 
 def test_rough_open_sky_near_the_horizon_is_named():
