@@ -87,19 +87,20 @@ class TestGaps:
         )
         np.testing.assert_array_equal(trailing.outcome == Outcome.EDGE, in_rock)
 
-    def test_only_ground_on_the_profile_counts_as_around(self, ridge_dem, trace):
-        # A tower beside the path, where the ray is far above, is higher than the ray
-        # where it passes a gap in the plain.
+    def test_only_ground_on_the_profiles_counts_as_around(self, ridge_dem, trace):
+        # A tower between two rays far above it, higher than they are where they pass
+        # a gap in the plain.
         def tower(east, north):
             return np.where((np.abs(east - 1300) < 15) & (np.abs(north - 40) < 15), 100.0, 0.0)
 
         path = ridge_dem(lambda e, n: np.abs(e - 300) < 30, shape=tower)
-        rock = trace(path, 90.0, np.array([10.0]), eye=1.0)
-        assert rock.outcome[0, 0] == Outcome.KNOWN
-        assert rock.thickness_m[0, 0] == 0
-        # Another ray whose profile crosses the tower makes it the highest around.
+        elevation = np.array([10.0])
+        rock = trace(path, [90.0, 86.0], elevation, eye=1.0)
+        assert np.all(rock.outcome == Outcome.KNOWN)
+        assert np.all(rock.thickness_m == 0)
+        # A third ray whose profile crosses the tower makes it the highest around.
         over_it = 90.0 - np.degrees(np.arctan(40 / 1300))
-        rock = trace(path, [90.0, over_it], np.array([10.0]), eye=1.0)
+        rock = trace(path, [90.0, over_it, 86.0], elevation, eye=1.0)
         assert np.all(rock.outcome == Outcome.NO_DATA)
 
     def test_one_ray_past_a_gap_is_the_one_among_many_on_its_profile(self, ridge_dem, trace):
