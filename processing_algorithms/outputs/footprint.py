@@ -25,6 +25,7 @@ from ...muysc_qgis.topography.footprint import Outline
 from ...muysc_qgis.topography.sight import Sight
 from ..compat import POLYGON, VECTOR_POLYGON, field
 from ..parameters.values import explained
+from .styles import FootprintOnLoad
 
 NAME = "FIELD_OF_VIEW"
 
@@ -84,6 +85,8 @@ def write_footprint(
             ]
         )
         sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
+    if context.willLoadLayerOnCompletion(identifier):
+        context.layerToLoadOnCompletionDetails(identifier).setPostProcessor(FootprintOnLoad())
     return {NAME: identifier}
 
 

@@ -8,11 +8,15 @@ from pathlib import Path
 import numpy as np
 from qgis.core import (
     Qgis,
+    QgsCategorizedSymbolRenderer,
     QgsColorRampShader,
+    QgsFillSymbol,
+    QgsMapLayer,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
     QgsRasterShader,
+    QgsRendererCategory,
     QgsSingleBandPseudoColorRenderer,
 )
 from qgis.PyQt.QtGui import QColor
@@ -96,23 +100,59 @@ def _rounded(value: float) -> str:
     return f"{value:,.{digits}f}".replace(",", " ")
 
 
-class StyleOnLoad(QgsProcessingLayerPostProcessorInterface):
-    """Applies the style beside a raster when Processing adds it to the project.
+class _OnLoad(QgsProcessingLayerPostProcessorInterface):
+    """Does something to a layer when Processing adds it to the project."""
+
+    #: QGIS keeps no reference of its own to a post-processor made in Python.
+    _alive: list[_OnLoad] = []  # noqa: RUF012 - shared on purpose
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._alive.append(self)
+
+    def postProcessLayer(
+        self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> None:
+        self.apply(layer)
+        layer.triggerRepaint()
+        self._alive.remove(self)
+
+    def apply(self, layer: QgsMapLayer) -> None:
+        raise NotImplementedError
+
+
+class StyleOnLoad(_OnLoad):
+    """Applies the style beside a raster.
 
     QGIS would do so itself unless the user has set a default raster style.
     """
 
-    #: QGIS keeps no reference of its own to a post-processor made in Python.
-    _alive: list[StyleOnLoad] = []  # noqa: RUF012 - shared on purpose
-
     def __init__(self, style: str) -> None:
         super().__init__()
         self.style = style
-        self._alive.append(self)
 
-    def postProcessLayer(
-        self, layer: object, context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> None:
+    def apply(self, layer: QgsMapLayer) -> None:
         layer.loadNamedStyle(self.style)
-        layer.triggerRepaint()
-        self._alive.remove(self)
+
+
+class FootprintOnLoad(_OnLoad):
+    """Draws a field of view as the map of the report does: outline, and a veil over the ground."""
+
+    #: Part, its legend, and the properties of its fill.
+    _PARTS = (
+        ("aperture", "Field of view", {"style": "no", "outline_style": "dash"}),
+        ("ground seen", "Ground seen", {"color": "204,121,167,110", "outline_style": "no"}),
+    )
+
+    def apply(self, layer: QgsMapLayer) -> None:
+        layer.setRenderer(
+            QgsCategorizedSymbolRenderer(
+                "part",
+                [
+                    QgsRendererCategory(
+                        part, QgsFillSymbol.createSimple({"outline_width": "0.4", **look}), label
+                    )
+                    for part, label, look in self._PARTS
+                ],
+            )
+        )

@@ -233,3 +233,34 @@ def test_a_detector_in_another_crs_is_the_same_place(run, vesuvius, tmp_path):
     )
     assert second["TARGET_DISTANCE"] == pytest.approx(first["TARGET_DISTANCE"], abs=1e-3)
     assert np.nanmax(np.abs(read(tmp_path / "1.tif") - read(tmp_path / "2.tif"))) < 0.5
+
+
+def test_layers_arrive_styled_in_a_project(provider, everything, recorder):
+    """What the desktop does: run with a project, then post-process the loaded layers."""
+    from qgis.core import (
+        QgsProcessingContext,
+        QgsProcessingOutputLayerDefinition,
+        QgsProcessingUtils,
+        QgsProject,
+    )
+
+    project = QgsProject()
+    context = QgsProcessingContext()
+    context.setProject(project)
+    feedback = recorder()
+    names = ("THICKNESS", "FLUX", "FIELD_OF_VIEW")
+    wanted = {name: QgsProcessingOutputLayerDefinition(everything[name], project) for name in names}
+    algorithm = provider.algorithm("radiography").create()
+    parameters = {**everything, **wanted, "PANEL": None, "REPORT": None}
+    _, done = algorithm.run(parameters, context, feedback)
+    assert done
+    looks = {}
+    for identifier, details in context.layersToLoadOnCompletion().items():
+        layer = QgsProcessingUtils.mapLayerFromString(identifier, context)
+        details.postProcessor().postProcessLayer(layer, context, feedback)
+        looks[details.outputName] = layer.renderer().type()
+    assert looks == {
+        "THICKNESS": "singlebandpseudocolor",
+        "FLUX": "singlebandpseudocolor",
+        "FIELD_OF_VIEW": "categorizedSymbol",
+    }
