@@ -26,8 +26,8 @@ def qgis_application(tmp_path_factory):
     from processing.core.Processing import Processing
 
     Processing.initialize()
-    yield application
-    # exitQgis() would tear down what Python still refers to.
+    # Not torn down by exitQgis(): Python still refers to what that would delete.
+    return application
 
 
 @pytest.fixture(scope="session")
