@@ -75,7 +75,7 @@ def draw_contours(
     muogram: Muogram,
     directions: Directions,
     sky: np.ndarray | None,
-    scale: ScalarMappable,
+    scale: ScalarMappable | None,
     skyline: ContourSet | None,
     inches_per_degree: tuple[float, float],
 ) -> None:
@@ -92,7 +92,8 @@ def draw_contours(
         (n_elevation, n_azimuth), true where the ray meets no rock; None where
         that is not known.
     scale
-        Colours of the pixels; lines are black or white, whichever stands out.
+        Colours of the pixels; lines are black or white, whichever stands out. None for
+        lines over the pixels of another quantity, which are all dark.
     skyline
         From `draw_skyline`; labels keep away from it.
     inches_per_degree
@@ -108,7 +109,7 @@ def draw_contours(
         zenith,
         np.ma.masked_invalid(values),
         levels=levels,
-        colors=[ink_on(scale.to_rgba(level)) for level in levels],
+        colors=[style.INK if scale is None else ink_on(scale.to_rgba(level)) for level in levels],
         linewidths=style.THIN_LINE_WIDTH,
         zorder=2,
     )

@@ -199,13 +199,17 @@ def report(
             Citation(f"Muon flux model: {model.citation}"),
             Citation(f"Energy loss: {ENERGY_LOSSES[str(flux.metadata['ENERGY_LOSS'])]}"),
         ],
-        versions={
-            "MUYSC for QGIS": __version__,
-            "Python": platform.python_version(),
-            "numpy": np.__version__,
-            **versions,
-        },
+        versions={**own_versions(), **versions},
     )
+
+
+def own_versions() -> dict[str, str]:
+    """Return the versions of what computes, by name."""
+    return {
+        "MUYSC for QGIS": __version__,
+        "Python": platform.python_version(),
+        "numpy": np.__version__,
+    }
 
 
 def _subtitle(flux: Muogram) -> str:

@@ -67,7 +67,12 @@ def muogram_panel(left: Muogram, right: Muogram, title: str = "", subtitle: str 
     return muogram_panels([left, right], title=title, subtitle=subtitle)
 
 
-def muogram_panels(muograms: Sequence[Muogram], title: str = "", subtitle: str = "") -> Figure:
+def muogram_panels(
+    muograms: Sequence[Muogram],
+    title: str = "",
+    subtitle: str = "",
+    terrain: Muogram | None = None,
+) -> Figure:
     """Return muograms as panels with angles, contours, skyline and target.
 
     The panels stand side by side, or one above another where the field of view
@@ -83,6 +88,9 @@ def muogram_panels(muograms: Sequence[Muogram], title: str = "", subtitle: str =
         Title; by default the titles of the quantities.
     subtitle
         Line below it, before those on place and physics.
+    terrain
+        Thickness on the same directions, whose skyline and contours are drawn instead of
+        each muogram's own.
 
     Raises
     ------
@@ -94,7 +102,7 @@ def muogram_panels(muograms: Sequence[Muogram], title: str = "", subtitle: str =
     wide = all(grid.width_deg > _WIDE * grid.height_deg for grid in grids)
     columns = 1 if wide or len(muograms) == 1 else 2
     title = title or _joined([muogram.kind.title for muogram in muograms])
-    return _draw(muograms, grids, columns, _LARGE, title, subtitle)
+    return _draw(muograms, grids, columns, _LARGE, title, subtitle, terrain)
 
 
 def summary_panel(
@@ -140,6 +148,7 @@ def _draw(
     layout: _Layout,
     title: str,
     subtitle: str,
+    terrain: Muogram | None = None,
 ) -> Figure:
     """Lay the panels out in rows and draw them."""
     title = fill(title, 85)
@@ -166,7 +175,7 @@ def _draw(
             x = column * cell_width + layout.left + (room - picture_width) / 2
             top = height - heading - sum(heights[:index]) - layout.above
             box = (x, top - picture_height, picture_width, picture_height)
-            legend.update(_one_panel(figure, box, muograms[n], grids[n], muograms, layout))
+            legend.update(_one_panel(figure, box, muograms[n], grids[n], muograms, layout, terrain))
     if legend:
         shown = [label for label in _LEGEND if label in legend]
         figure.legend(
@@ -192,6 +201,7 @@ def _one_panel(
     grid: Directions,
     muograms: Sequence[Muogram],
     layout: _Layout,
+    terrain: Muogram | None,
 ) -> dict[str, object]:
     """Draw one muogram into a box (inches); return its legend entries."""
     from matplotlib.lines import Line2D
@@ -202,7 +212,7 @@ def _one_panel(
         return x / width, y / height, w / width, h / height
 
     axes = figure.add_axes(placed(*box))
-    sky, known = _sky(muogram, muograms)
+    sky, known = _sky(muogram, muograms) if terrain is None else _sky(terrain, [])
     scale, entries = draw.draw_pixels(axes, muogram, grid, sky)
     legend: dict[str, object] = {}
     target = draw.draw_target(axes, grid)
@@ -214,7 +224,8 @@ def _one_panel(
     legend.update(entries)
     if layout.large:
         inches_per_degree = box[2] / grid.width_deg, box[3] / grid.height_deg
-        draw_contours(axes, muogram, grid, sky, scale, skyline, inches_per_degree)
+        lines, ink = (muogram, scale) if terrain is None else (terrain, None)
+        draw_contours(axes, lines, grid, sky, ink, skyline, inches_per_degree)
     draw.scale_axes(axes, grid)
     axes.set_title(
         muogram.kind.title, fontsize=style.HEADING_SIZE, fontweight="bold", loc="left",
