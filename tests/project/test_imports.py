@@ -15,6 +15,7 @@ ALGORITHMS = ROOT / "processing_algorithms"
 ROOMS = {
     "muysc_qgis/radiography": {"numpy", "scipy"},
     "muysc_qgis/measurement": {"numpy", "scipy"},
+    "muysc_qgis/measurement": {"numpy", "scipy"},
     "muysc_qgis/telescope": {"numpy", "scipy"},
     "muysc_qgis/tomography": {"numpy", "scipy"},
     "muysc_qgis/topography": {"numpy", "scipy", "osgeo", "pyproj"},
@@ -24,15 +25,16 @@ ROOMS = {
     "muysc_qgis": {"numpy", "scipy", "osgeo", "pyproj"},
     "processing_algorithms": {"numpy", "osgeo", "qgis"},
 }
-#: What these may import of the project itself: rock and muons know no terrain, no
-#: file and no picture, and terrain knows no picture.
+#: What every room may import of the project itself.
+_COMMON = {"errors", "progress", "quantities", "__version__"}
+#: And what these may: rock and muons know no terrain, no file and no picture; terrain,
+#: telescopes and measurements know neither each other nor a picture.
 NEIGHBOURS = {
-    "muysc_qgis/radiography": {"radiography", "errors", "progress", "quantities"},
-    "muysc_qgis/measurement": {"measurement", "radiography", "errors", "quantities", "muogram"},
-    "muysc_qgis/topography": {
-        "topography", "radiography", "errors", "progress", "quantities", "muogram", "__version__",
-    },
-}  # fmt: skip
+    "muysc_qgis/radiography": _COMMON | {"radiography"},
+    "muysc_qgis/telescope": _COMMON | {"telescope", "radiography"},
+    "muysc_qgis/topography": _COMMON | {"topography", "radiography", "muogram"},
+    "muysc_qgis/measurement": _COMMON | {"measurement", "radiography", "muogram"},
+}
 #: The only libraries that loading the plugin may load.
 LIGHT = {"numpy"}
 
