@@ -1,0 +1,174 @@
+"""Panel and report of a comparison: what is drawn and told, in which order."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ... import __version__
+from ...radiography.comparison import Comparison
+from ...radiography.energy_loss import ENERGY_LOSSES
+from ...radiography.materials import MATERIALS
+from ...radiography.spectra import MODELS
+from ..documents import Parameter
+from ..report import Citation, OutputFile, Report, ReportFigure, Row
+from ..style import WIDTH_IN, new_figure, png_bytes
+from . import attenuation, energy_spectra, losses
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: Resolution (dots per inch) of figures in the report, read on screens.
+_REPORT_DPI = 110
+
+
+def spectrum_figure(comparison: Comparison) -> Figure:
+    """Draw the differential spectra.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    figure = new_figure(WIDTH_IN, energy_spectra.height_in(comparison))
+    energy_spectra.draw(figure, 0.0, comparison)
+    return figure
+
+
+def loss_figure(comparison: Comparison) -> Figure:
+    """Draw stopping power and minimum energy.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    figure = new_figure(WIDTH_IN, losses.HEIGHT_IN)
+    losses.draw(figure, 0.0, comparison)
+    return figure
+
+
+def attenuation_figure(comparison: Comparison) -> Figure:
+    """Draw transmission and flux against opacity.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    figure = new_figure(WIDTH_IN, attenuation.HEIGHT_IN)
+    attenuation.draw(figure, 0.0, comparison)
+    return figure
+
+
+def panel(comparison: Comparison) -> Figure:
+    """Draw all three on one page.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    spectra_in = energy_spectra.height_in(comparison)
+    figure = new_figure(WIDTH_IN, spectra_in + losses.HEIGHT_IN + attenuation.HEIGHT_IN)
+    energy_spectra.draw(figure, 0.0, comparison)
+    losses.draw(figure, spectra_in, comparison)
+    attenuation.draw(figure, spectra_in + losses.HEIGHT_IN, comparison)
+    return figure
+
+
+def report(
+    comparison: Comparison,
+    parameters: Sequence[Parameter],
+    outputs: Mapping[str, str],
+    date: str,
+    versions: Mapping[str, str],
+) -> Report:
+    """Gather everything that the report of a comparison tells.
+
+    Parameters
+    ----------
+    comparison
+        What was computed.
+    parameters
+        What it was computed from.
+    outputs
+        File by label.
+    date
+        When, as text.
+    versions
+        Versions of other software by name.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    return Report(
+        title="Muon spectra compared",
+        subtitle=f"{len(comparison.models)} flux models at {len(comparison.zenith_deg)} zenith "
+        "angles, in the open sky and behind rock",
+        date=date,
+        figures=_figures(comparison),
+        results=_results(comparison),
+        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
+        warnings=comparison.warnings,
+        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
+        citations=[
+            *(
+                Citation(f"Muon flux model {MODELS[name].title}: {MODELS[name].citation}")
+                for name in comparison.models
+            ),
+            *(
+                Citation(f"Energy loss “{name}”: {source}")
+                for name, source in ENERGY_LOSSES.items()
+            ),
+            *(
+                Citation(f"{MATERIALS[one.material].title}: {MATERIALS[one.material].source}")
+                for one in comparison.losses
+            ),
+        ],
+        versions={
+            "MUYSC for QGIS": __version__,
+            "Python": platform.python_version(),
+            "numpy": np.__version__,
+            **versions,
+        },
+    )
+
+
+def _figures(comparison: Comparison) -> list[ReportFigure]:
+    drawn = (
+        (
+            spectrum_figure,
+            "Differential spectra of the models at each zenith angle, and their ratio. Shaded: the "
+            "muons that the rock lets through.",
+        ),
+        (
+            loss_figure,
+            "Mean energy loss of muons, and the kinetic energy they need to cross rock.",
+        ),
+        (attenuation_figure, "Transmission and flux against opacity."),
+    )
+    return [
+        ReportFigure(caption, png_bytes(draw(comparison), _REPORT_DPI), caption)
+        for draw, caption in drawn
+    ]
+
+
+def _results(comparison: Comparison) -> list[Row]:
+    rows = [
+        Row("Thickness", comparison.thickness_m, "m"),
+        Row("Opacity", comparison.opacity_g_cm2, "g/cm²"),
+        Row("Minimum kinetic energy", comparison.minimum_energy_gev, "GeV"),
+        Row("Largest flux over smallest among the models that hold", comparison.largest_ratio),
+    ]
+    for one in comparison.behind:
+        beyond = "" if one.holds[0] else ", outside the model's range"
+        where = f"{MODELS[one.model].title} at {one.zenith_deg:g}°{beyond}"
+        rows.append(Row(f"Flux, {where}", float(one.flux[0]), "cm⁻² sr⁻¹ day⁻¹"))
+    return rows
