@@ -14,6 +14,7 @@ ALGORITHMS = (
     ("radiography", "Radiography"),
     ("muonflux", "MuonFlux"),
     ("drape", "Drape"),
+    ("fluxspectrum", "FluxSpectrum"),
 )
 
 

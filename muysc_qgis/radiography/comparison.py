@@ -202,6 +202,21 @@ def check_zenith_angles(angles: Sequence[float]) -> None:
             )
 
 
+def check_thickness(thickness_m: float) -> None:
+    """Refuse a thickness that no figure can mark.
+
+    Raises
+    ------
+    MuyscError
+        If it is not above 0 and up to `MAXIMUM_THICKNESS_M`.
+    """
+    if not 0 < thickness_m <= MAXIMUM_THICKNESS_M:
+        raise MuyscError(
+            f"A thickness of {thickness_m:g} m cannot be compared; give one above 0 and up to "
+            f"{MAXIMUM_THICKNESS_M:g} m."
+        )
+
+
 def compare(
     models: Sequence[str],
     zenith_deg: Sequence[float],
@@ -238,11 +253,7 @@ def compare(
     every = [replace(physics, flux_model=model) for model in dict.fromkeys(models)]
     check_zenith_angles(zenith_deg)
     check_altitude(altitude_m)
-    if not 0 < thickness_m <= MAXIMUM_THICKNESS_M:
-        raise MuyscError(
-            f"A thickness of {thickness_m:g} m cannot be compared; give one above 0 and up to "
-            f"{MAXIMUM_THICKNESS_M:g} m."
-        )
+    check_thickness(thickness_m)
     opacity = thickness_m * physics.density * G_CM2_PER_M_WATER_EQUIVALENT
     needed = float(minimum_energy(np.array(opacity), physics))
     energy = grid(*_ENERGY_DECADES, at_least=3.0 * np.nan_to_num(needed))

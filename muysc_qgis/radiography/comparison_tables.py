@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -80,7 +81,7 @@ def _flux_curves(comparison: Comparison) -> Iterable[tuple[AttenuationCurve, flo
     """Yield every curve with the thickness asked for in its place, and the density."""
     for curve, marked in zip(comparison.attenuations, comparison.behind):
         where = np.searchsorted(curve.opacity_g_cm2, marked.opacity_g_cm2[0])
-        changed = {
+        changed: dict[str, Any] = {
             name: np.insert(getattr(curve, name), where, getattr(marked, name)[0])
             for name in _POINTWISE
             if marked.opacity_g_cm2[0] not in curve.opacity_g_cm2

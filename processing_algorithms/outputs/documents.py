@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from osgeo import gdal
 from qgis.core import (
@@ -25,17 +26,22 @@ from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.topography.sight import Sight
 from ..parameters.values import explained
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ...muysc_qgis.plots.report import Report
+
 _SUFFIXES = {"PANEL": ".png", "REPORT": ".html"}
 
 
-def document_outputs() -> list[QgsProcessingParameterDefinition]:
-    """Declare panel and report."""
+def document_outputs(shown: str = "thickness and flux") -> list[QgsProcessingParameterDefinition]:
+    """Declare panel and report, given what the panel shows."""
     return [
         explained(
             QgsProcessingParameterFileDestination(
                 "PANEL", "Panel", "PNG pictures (*.png)", None, True, False
             ),
-            "Picture of thickness and flux side by side, with contours, skyline and target.",
+            f"Picture of {shown} side by side, with contours, skyline and target.",
         ),
         explained(
             QgsProcessingParameterFileDestination(
@@ -58,52 +64,82 @@ def stage_documents(
     sight: Sight | None = None,
     aperture: Aperture | None = None,
 ) -> dict[str, str]:
+    """Draw and stage panel and report of a simulation; see `stage_drawn`."""
+
+    def panel() -> Figure:
+        from ...muysc_qgis.plots import documents
+
+        return documents.panel(simulation)
+
+    def report(*told: Any) -> Report:
+        from ...muysc_qgis.plots import documents
+
+        return documents.report(simulation, documents.figures(simulation, sight, aperture), *told)
+
+    return stage_drawn(
+        algorithm, panel, report, written, parameters, context, feedback, staging, inputs
+    )
+
+
+def stage_drawn(
+    algorithm: QgsProcessingAlgorithm,
+    panel: Callable[[], Figure],
+    report: Callable[..., Report],
+    written: dict[str, str],
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    feedback: QgsProcessingFeedback,
+    staging: Staging,
+    inputs: tuple[str, ...],
+) -> dict[str, str]:
     """Draw and stage panel and report where wanted; return files by output name.
 
-    Where a library for drawing is missing, a warning says so and the rasters are
-    written all the same.
+    `panel` draws; `report` takes parameters, files by label, date and versions. Where a
+    library for drawing is missing, a warning says so and the rasters are written all the
+    same.
     """
     staged = {
         name: staging.add(path, inputs)
         for name in _SUFFIXES
-        if (path := _file(algorithm, parameters, name, context))
+        if (path := destination(algorithm, parameters, name, context, _SUFFIXES[name]))
     }
     if not staged:
         return {}
     try:
-        from ...muysc_qgis.plots import documents
+        from ...muysc_qgis.plots.documents import Parameter
         from ...muysc_qgis.plots.report import write_report
         from ...muysc_qgis.plots.style import save_png
 
         if "PANEL" in staged:
-            save_png(documents.panel(simulation), staged["PANEL"])
+            save_png(panel(), staged["PANEL"])
         if "REPORT" in staged:
-            report = documents.report(
-                simulation,
-                documents.figures(simulation, sight, aperture),
-                _told(algorithm, parameters, context, documents.Parameter),
+            content = report(
+                _told(algorithm, parameters, context, Parameter),
                 {algorithm.parameterDefinition(name).description(): written[name]
                  for name in written},
                 QDateTime.currentDateTime().toString(Qt.DateFormat.ISODate),
                 {"QGIS": Qgis.QGIS_VERSION, "GDAL": gdal.__version__},
             )  # fmt: skip
-            write_report(staged["REPORT"], report)
+            write_report(staged["REPORT"], content)
     except ImportError as error:
         feedback.pushWarning(
             f"Panel and report need the Python library {error.name}, which is missing; the "
             "rasters were written without them."
         )
         return {}
-    return {name: _file(algorithm, parameters, name, context) for name in staged}
+    return {
+        name: destination(algorithm, parameters, name, context, _SUFFIXES[name]) for name in staged
+    }
 
 
-def _file(
+def destination(
     algorithm: QgsProcessingAlgorithm,
     parameters: dict[str, Any],
     name: str,
     context: QgsProcessingContext,
+    suffix: str,
 ) -> str | None:
-    """Return where a document goes, None where it is not wanted.
+    """Return where a file goes, None where it is not wanted.
 
     Raises
     ------
@@ -113,10 +149,8 @@ def _file(
     if parameters.get(name) in (None, ""):
         return None
     path = algorithm.parameterAsFileOutput(parameters, name, context)
-    if Path(path).suffix.lower() != _SUFFIXES[name]:
-        raise MuyscError(
-            f"{name} goes to “{path}”; give a file name that ends in {_SUFFIXES[name]}."
-        )
+    if Path(path).suffix.lower() != suffix:
+        raise MuyscError(f"{name} goes to “{path}”; give a file name that ends in {suffix}.")
     return path
 
 

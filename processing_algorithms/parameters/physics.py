@@ -23,12 +23,12 @@ from ...muysc_qgis.simulation import Telescope
 from .values import choice, number, read_choice, read_number, switch
 
 
-def physics_parameters() -> list[QgsProcessingParameterDefinition]:
-    """Declare everything that `Physics` holds."""
+def physics_parameters(density: bool = True) -> list[QgsProcessingParameterDefinition]:
+    """Declare everything that `Physics` holds, with or without the density of the rock."""
     densities = ", ".join(
         f"{material.name} {material.density_g_cm3:g}" for material in MATERIALS.values()
     )
-    return [
+    declared = [
         choice(
             "MATERIAL", "Material",
             "Rock or other matter, whose stopping power slows the muons.",
@@ -80,12 +80,19 @@ def physics_parameters() -> list[QgsProcessingParameterDefinition]:
             0.0, 0, MAXIMUM_THRESHOLD_GEV, advanced=True,
         ),
     ]  # fmt: skip
+    return [one for one in declared if density or one.name() != "DENSITY"]
 
 
 def read_physics(
-    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    density: bool = True,
+    flux_model: str | None = None,
 ) -> Physics:
-    """Return the physics chosen.
+    """Return the physics chosen, with the material's own density where none is declared.
+
+    `flux_model` stands in where no FLUX_MODEL is declared.
 
     Raises
     ------
@@ -96,8 +103,8 @@ def read_physics(
     threshold = read_number(*read, "DETECTION_THRESHOLD", context)
     return Physics(
         material=read_choice(*read, "MATERIAL", context),
-        density_g_cm3=read_number(*read, "DENSITY", context),
-        flux_model=read_choice(*read, "FLUX_MODEL", context),
+        density_g_cm3=read_number(*read, "DENSITY", context) if density else None,
+        flux_model=flux_model or read_choice(*read, "FLUX_MODEL", context),
         gaisser_parameters=read_choice(*read, "GAISSER_PARAMETERS", context),
         energy_loss=read_choice(*read, "ENERGY_LOSS", context),
         straggling=algorithm.parameterAsBool(parameters, "STRAGGLING", context),

@@ -1,0 +1,228 @@
+"""Muon spectra, energy losses and what they leave behind rock, compared."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterString,
+)
+
+from ..muysc_qgis.errors import MuyscError
+from ..muysc_qgis.radiography.comparison import (
+    MAXIMUM_THICKNESS_M,
+    check_thickness,
+    compare,
+    zenith_angles,
+)
+from ..muysc_qgis.radiography.comparison_tables import COLUMNS, rows, write_table
+from ..muysc_qgis.radiography.materials import MATERIALS
+from ..muysc_qgis.radiography.settings import Physics
+from ..muysc_qgis.radiography.spectra import MODELS
+from ..muysc_qgis.staging import Staging
+from .base import MuyscAlgorithm
+from .outputs.documents import destination, document_outputs, stage_drawn
+from .parameters.physics import physics_parameters, read_physics
+from .parameters.values import explained, number, read_number
+
+#: Table of the library by output, with label and help text.
+_TABLES = {
+    "TABLE": (
+        "spectra",
+        "Table of spectra",
+        "CSV: differential flux of every model, zenith angle and kinetic energy, and whether the "
+        "model was made for it.",
+    ),
+    "FLUX_TABLE": (
+        "fluxes",
+        "Table of fluxes behind rock",
+        "CSV: flux, open sky and transmission of every model, zenith angle and opacity.",
+    ),
+    "ENERGY_LOSS_TABLE": (
+        "energy_loss",
+        "Table of energy losses",
+        "CSV: stopping power and range of every material, and the polynomial beside it.",
+    ),
+    "MINIMUM_ENERGY_TABLE": (
+        "minimum_energy",
+        "Table of minimum energies",
+        "CSV: kinetic energy that the material demands at every thickness, by each range law.",
+    ),
+}
+_MATERIALS = ["standard_rock", "water", "granite", "basalt", "limestone"]
+
+
+@dataclass(frozen=True)
+class _Inputs:
+    models: list[str]
+    zenith_deg: tuple[float, ...]
+    thickness_m: float
+    physics: Physics
+    altitude_m: float
+    materials: list[str]
+
+
+class FluxSpectrum(MuyscAlgorithm):
+    """The models side by side: what each says, and where it holds."""
+
+    NAME = "fluxspectrum"
+    TITLE = "Compare muon spectra"
+    GROUP = "Radiography"
+    GROUP_ID = "radiography"
+    TAGS = ("spectrum", "flux", "energy loss", "stopping power", "transmission", "opacity")
+
+    def declare(self) -> list[QgsProcessingParameterDefinition]:
+        # One of the shared parameters becomes a list here.
+        shared = [one for one in physics_parameters() if one.name() != "FLUX_MODEL"]
+        return [
+            _choices(
+                "FLUX_MODELS", "Muon flux models", "Parametrised spectra to compare.",
+                list(MODELS), list(MODELS),
+            ),
+            explained(
+                QgsProcessingParameterString(
+                    "ZENITH_ANGLES", "Zenith angles (°)", "0, 30, 60, 75, 85"
+                ),
+                "List zenith angles in degrees, from 0 (overhead) to below 90, separated by "
+                "commas; at most 12.",
+            ),
+            number(
+                "THICKNESS", "Thickness of rock (m)",
+                "Give the thickness of rock in m that the figures mark, above 0 and up to "
+                f"{MAXIMUM_THICKNESS_M:g}.",
+                500.0, 0, MAXIMUM_THICKNESS_M,
+            ),
+            *shared,
+            number(
+                "ALTITUDE", "Altitude of the detector (m)",
+                "Give the height above sea level in m, −1000 to 10000; it counts where the "
+                "correction for altitude is on.",
+                0.0, -1000, 10_000,
+            ),
+            _choices(
+                "MATERIALS", "Materials whose energy loss is compared",
+                "The material of the rock is shown in any case.",
+                list(MATERIALS), _MATERIALS, advanced=True,
+            ),
+            *(
+                explained(
+                    QgsProcessingParameterFileDestination(
+                        name, label, "CSV files (*.csv)", None, True, name == "TABLE"
+                    ),
+                    text,
+                )
+                for name, (_, label, text) in _TABLES.items()
+            ),
+            *_documents(),
+        ]  # fmt: skip
+
+    def declare_outputs(self) -> None:
+        for name, label in (
+            ("OPACITY", "Opacity of the thickness (g/cm²)"),
+            ("MINIMUM_ENERGY", "Minimum kinetic energy (GeV)"),
+            ("LARGEST_RATIO", "Largest over smallest flux of the models that hold"),
+        ):
+            self.addOutput(QgsProcessingOutputNumber(name, label))
+
+    def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
+        models = self._read_choices(parameters, "FLUX_MODELS", context)
+        if not models:
+            raise MuyscError(f"FLUX_MODELS is empty; choose at least one of {', '.join(MODELS)}.")
+        angles = parameters.get("ZENITH_ANGLES")
+        if angles is None:
+            angles = self.parameterDefinition("ZENITH_ANGLES").defaultValue()
+        thickness = read_number(self, parameters, "THICKNESS", context) or 0.0
+        check_thickness(thickness)
+        return _Inputs(
+            models,
+            zenith_angles(str(angles)),
+            thickness,
+            read_physics(self, parameters, context, flux_model=models[0]),
+            read_number(self, parameters, "ALTITUDE", context) or 0.0,
+            self._read_choices(parameters, "MATERIALS", context),
+        )
+
+    def _read_choices(
+        self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
+    ) -> list[str]:
+        """Return the words chosen, refusing those that QGIS would leave out."""
+        raw = parameters.get(name)
+        options = self.parameterDefinition(name).options()
+        words = raw.split(",") if isinstance(raw, str) else raw if isinstance(raw, list) else []
+        for word in words:
+            if isinstance(word, str) and word.strip() not in ("", *options):
+                raise MuyscError(f"{name} names “{word}”; use some of {', '.join(options)}.")
+        if isinstance(raw, str):
+            return [word.strip() for word in words if word.strip()]
+        return list(self.parameterAsEnumStrings(parameters, name, context))
+
+    def compute(
+        self,
+        inputs: _Inputs,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        staging: Staging,
+    ) -> dict[str, Any]:
+        comparison = compare(
+            inputs.models,
+            inputs.zenith_deg,
+            inputs.thickness_m,
+            inputs.physics,
+            inputs.altitude_m,
+            inputs.materials,
+        )
+        for warning in comparison.warnings:
+            feedback.pushWarning(warning)
+        results: dict[str, Any] = {}
+        for name, (table, _, _) in _TABLES.items():
+            path = destination(self, parameters, name, context, ".csv")
+            if path:
+                write_table(staging.add(path), COLUMNS[table], rows(comparison, table))
+                results[name] = path
+        results |= stage_drawn(
+            self,
+            lambda: self._drawing().panel(comparison),
+            lambda *told: self._drawing().report(comparison, *told),
+            results, parameters, context, feedback, staging, (),
+        )  # fmt: skip
+        return results | {
+            "OPACITY": comparison.opacity_g_cm2,
+            "MINIMUM_ENERGY": comparison.minimum_energy_gev,
+            "LARGEST_RATIO": comparison.largest_ratio,
+        }
+
+    @staticmethod
+    def _drawing() -> ModuleType:
+        # Loaded only where something is drawn: matplotlib may be missing.
+        from ..muysc_qgis.plots.spectra import documents
+
+        return documents
+
+
+def _documents() -> list[QgsProcessingParameterDefinition]:
+    """Declare panel and report, with what they show here."""
+    panel, report = document_outputs()
+    panel.setHelp("Picture of spectra, energy losses, minimum energies, transmission and flux.")
+    report.setHelp(
+        "One HTML file with figures, parameters, numbers, every warning and how to cite."
+    )
+    return [panel, report]
+
+
+def _choices(
+    name: str, label: str, text: str, options: list[str], default: list[str], advanced: bool = False
+) -> QgsProcessingParameterDefinition:
+    """Return a parameter of several words out of a list."""
+    parameter = QgsProcessingParameterEnum(
+        name, label, options, True, default, True, usesStaticStrings=True
+    )
+    return explained(parameter, text, advanced)
