@@ -14,6 +14,7 @@ from qgis.core import (
 )
 
 from ..muysc_qgis.errors import MuyscError
+from ..muysc_qgis.flux_spread import with_flux_spread
 from ..muysc_qgis.muogram import Muogram, read_muogram
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.simulation import Telescope, through_rock
@@ -21,7 +22,7 @@ from ..muysc_qgis.staging import Staging
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_documents
 from .outputs.messages import say
-from .outputs.rasters import raster_outputs, stage_muograms
+from .outputs.rasters import raster_outputs, stage_muograms, wanted
 from .parameters.physics import (
     physics_parameters,
     read_physics,
@@ -40,6 +41,8 @@ _OUTPUTS = {
     "OPEN_SKY": "open_sky",
     "TRANSMISSION": "transmission",
     "EXPOSURE": "exposure",
+    "FLUX_MINIMUM": "flux_minimum",
+    "FLUX_MAXIMUM": "flux_maximum",
 }
 
 
@@ -129,6 +132,8 @@ class MuonFlux(MuyscAlgorithm):
             inputs.altitude_m,
             progress_of(feedback, 0.0, 0.6),
         )
+        if wanted(parameters, "FLUX_MINIMUM", "FLUX_MAXIMUM"):
+            simulation = with_flux_spread(simulation, inputs.physics, inputs.altitude_m)
         say(feedback, simulation)
         files = (inputs.path,)
         results = stage_muograms(

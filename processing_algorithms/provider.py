@@ -15,6 +15,8 @@ ALGORITHMS = (
     ("muonflux", "MuonFlux"),
     ("drape", "Drape"),
     ("fluxspectrum", "FluxSpectrum"),
+    ("importmuogram", "ImportMuogram"),
+    ("density", "Density"),
 )
 
 

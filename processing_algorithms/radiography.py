@@ -13,6 +13,7 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
+from ..muysc_qgis.flux_spread import with_flux_spread
 from ..muysc_qgis.radiography.aperture import Aperture
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.simulation import Simulation, Telescope, check_range, simulate
@@ -22,7 +23,7 @@ from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_documents
 from .outputs.footprint import footprint_output, write_footprint
 from .outputs.messages import say
-from .outputs.rasters import raster_outputs, stage_muograms
+from .outputs.rasters import raster_outputs, stage_muograms, wanted
 from .parameters.physics import (
     physics_parameters,
     read_physics,
@@ -43,7 +44,7 @@ _OUTPUTS = {
     name.upper(): name
     for name in (
         "thickness", "opacity", "minimum_energy", "flux", "open_sky", "transmission", "exposure",
-        "distance",
+        "distance", "flux_minimum", "flux_maximum",
     )
 }  # fmt: skip
 
@@ -131,6 +132,8 @@ class Radiography(MuyscAlgorithm):
             inputs.near_field_m,
             progress_of(feedback, 0.0, 0.7),
         )
+        if wanted(parameters, "FLUX_MINIMUM", "FLUX_MAXIMUM"):
+            simulation = with_flux_spread(simulation, inputs.physics)
         say(feedback, simulation, inputs.notes)
         files = (sight.frame.dem.path,)
         results = stage_muograms(

@@ -30,6 +30,16 @@ _HELP = {
     "transmission": "Flux over open-sky flux, 1 in the sky.",
     "exposure": "Days until a pixel has counted the muons wanted.",
     "distance": "Length of each ray from the detector to the first rock.",
+    "density": "Mean density along each ray; a lower limit where no muon was counted.",
+    "density_error": "Standard error of the density, half of its interval.",
+    "density_lower": "Lower end of the interval of one standard deviation.",
+    "density_upper": "Upper end of the interval of one standard deviation.",
+    "density_flags": "0 measured, 1 no rock, 2 lower limit, 3 as bright as the open sky, 4 not "
+    "measured, 5 no density explains the flux.",
+    "flux_minimum": "Smallest flux over the models that hold for the ray's energy and zenith.",
+    "flux_maximum": "Largest flux over the models that hold for the ray's energy and zenith.",
+    "density_minimum": "Smallest density over the flux models that hold for the ray.",
+    "density_maximum": "Largest density over the flux models that hold for the ray.",
 }
 
 
@@ -74,6 +84,11 @@ def destination(
             "itself; give a file name that ends in .tif."
         )
     return path
+
+
+def wanted(parameters: dict[str, Any], *names: str) -> bool:
+    """Return whether any of some optional outputs is asked for."""
+    return any(parameters.get(name) not in (None, "") for name in names)
 
 
 def stage_raster(

@@ -1,0 +1,260 @@
+"""Density of the rock from what a telescope measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterRasterLayer,
+)
+
+from ..muysc_qgis.errors import MuyscError
+from ..muysc_qgis.measured import Measurement
+from ..muysc_qgis.measured_density import DensityChoices, DensityResult, density_behind
+from ..muysc_qgis.measurement.density import Flag
+from ..muysc_qgis.muogram import Muogram, read_muogram
+from ..muysc_qgis.radiography.settings import Physics
+from ..muysc_qgis.staging import Staging
+from .base import MuyscAlgorithm, progress_of
+from .outputs.documents import document_outputs, stage_drawn
+from .outputs.rasters import raster_outputs, stage_muograms, wanted
+from .parameters.physics import physics_parameters, read_physics
+from .parameters.terrain import raster_layer
+from .parameters.values import explained, given, number, read_number
+
+#: Quantity by output.
+_OUTPUTS = {
+    "OPACITY": "opacity",
+    "DENSITY": "density",
+    "DENSITY_ERROR": "density_error",
+    "DENSITY_LOWER": "density_lower",
+    "DENSITY_UPPER": "density_upper",
+    "DENSITY_MINIMUM": "density_minimum",
+    "DENSITY_MAXIMUM": "density_maximum",
+    "FLAGS": "density_flags",
+}
+#: The muograms that a measurement can be, exactly one of which is given.
+_MEASURED = ("COUNTS", "FLUX", "TRANSMISSION")
+
+
+@dataclass(frozen=True)
+class _Inputs:
+    paths: tuple[str, ...]
+    measurement: Measurement
+    thickness: Muogram
+    physics: Physics
+    choices: DensityChoices
+    altitude_m: float | None
+
+
+class Density(MuyscAlgorithm):
+    """The inverse of radiography: from muons to density."""
+
+    NAME = "density"
+    TITLE = "Density from a measured muogram"
+    GROUP = "Radiography"
+    GROUP_ID = "radiography"
+    TAGS = ("muogram", "density", "opacity", "inversion", "counts", "transmission", "measurement")
+
+    def declare(self) -> list[QgsProcessingParameterDefinition]:
+        return [
+            _muogram("THICKNESS", "Thickness muogram", "Muogram of rock thickness in m, seen from "
+                     "the same place on the same directions.", optional=False),
+            _muogram("COUNTS", "Muon counts", "Muogram of muons counted in each pixel, whole "
+                     "numbers. Give exactly one of counts, flux and transmission."),
+            _muogram("FLUX", "Measured flux", "Muogram of measured flux in cm⁻² sr⁻¹ day⁻¹."),
+            _muogram("TRANSMISSION", "Measured transmission", "Muogram of measured transmission, "
+                     "flux over that of the open sky in the same direction, from 0 to 1."),
+            _muogram("ERROR", "Errors of flux or transmission", "Muogram of the standard errors "
+                     "of a measured flux or transmission, as the import writes it. Counts need "
+                     "none."),
+            number(
+                "EXPOSURE", "Exposure (days, empty: as the counts say)",
+                "Give the days of counting, above 0. Empty takes DAYS from the counts' metadata.",
+                None, 0,
+            ),
+            number(
+                "ACCEPTANCE", "Acceptance of a pixel (cm² sr, empty: as the counts say)",
+                "Give the acceptance of one pixel in cm² sr, above 0, detection efficiency "
+                "included. Empty takes ACCEPTANCE from the counts' metadata. Not used with an "
+                "open-sky run.",
+                None, 0,
+            ),
+            _muogram("OPEN_SKY_COUNTS", "Counts in the open sky", "Muogram of muons that the same "
+                     "telescope pixels counted in the open sky. Acceptance and efficiency then "
+                     "drop out. Its elevations say where the telescope pointed."),
+            number(
+                "OPEN_SKY_EXPOSURE", "Exposure in the open sky (days, empty: as its counts say)",
+                "Give the days of counting in the open sky, above 0. Empty takes DAYS from the "
+                "metadata of the counts in the open sky.",
+                None, 0,
+            ),
+            number(
+                "MINIMUM_COUNTS", "Merge pixels up to (counts, 0: no merging)",
+                "Give the counts that each region of merged pixels must reach, 0 or more. "
+                "Neighbouring pixels then share one density. 20 and more make the errors "
+                "symmetric.",
+                0.0, 0,
+            ),
+            number(
+                "MODEL_UNCERTAINTY", "Uncertainty of the flux model (%)",
+                "Give the relative uncertainty of the flux in %, from 0 to below 100. It is the "
+                "same for all pixels and does not average out. The models differ by 10 % to 15 % "
+                "behind rock.",
+                0.0, 0, 100,
+            ),
+            number(
+                "LIMIT_CONFIDENCE", "Confidence of lower limits (%)",
+                "Give the one-sided confidence in % of the lower limit on density in pixels "
+                "without a muon, above 50 and below 100.",
+                95.0, 50, 100, advanced=True,
+            ),
+            number(
+                "DETECTOR_ELEVATION", "Detector elevation (m, empty: the muogram's)",
+                "Give the altitude of the detector in m, −1000 to 10000, for the altitude "
+                "correction. Empty takes what the muograms say.",
+                None, -1000, 10_000, advanced=True,
+            ),
+            *physics_parameters(density=False),
+            *raster_outputs(_OUTPUTS, always=("DENSITY", "DENSITY_ERROR")),
+            *document_outputs("density and its error"),
+        ]  # fmt: skip
+
+    def declare_outputs(self) -> None:
+        for name, label in (
+            ("MEAN_DENSITY", "Mean density (g/cm³)"),
+            ("MEAN_DENSITY_ERROR", "Error of the mean density (g/cm³)"),
+            ("MEAN_DENSITY_STATISTICAL_ERROR", "Part of it from counting (g/cm³)"),
+            ("MEDIAN_DENSITY", "Median density (g/cm³)"),
+            ("ROCK_PIXELS", "Pixels with rock"),
+            ("DENSITY_PIXELS", "Pixels with a density"),
+            ("LIMIT_PIXELS", "Pixels with a lower limit"),
+            ("BRIGHT_PIXELS", "Pixels with rock as bright as the open sky"),
+            ("UNKNOWN_PIXELS", "Pixels that cannot be known"),
+            ("REGIONS", "Regions with a density of their own"),
+        ):
+            self.addOutput(QgsProcessingOutputNumber(name, label))
+
+    def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
+        names = [name for name in _MEASURED if given(parameters, name)]
+        if len(names) != 1:
+            raise MuyscError(
+                f"{' and '.join(names) or 'None of COUNTS, FLUX and TRANSMISSION'} "
+                f"{'are' if names else 'is'} given; choose exactly one measured muogram."
+            )
+        paths: list[str] = []
+
+        def muogram(name: str) -> Muogram | None:
+            if not given(parameters, name):
+                return None
+            paths.append(raster_layer(self, parameters, name, context).source())
+            return read_muogram(paths[-1])
+
+        values = muogram(names[0])
+        if values is not None and values.quantity != names[0].lower():
+            raise MuyscError(
+                f"{names[0]} is a muogram of {values.quantity}; choose one of {names[0].lower()}."
+            )
+        thickness = muogram("THICKNESS")
+        if values is None or thickness is None:
+            raise MuyscError("THICKNESS is missing; choose a muogram of thickness.")
+        read = (self, parameters)
+        measurement = Measurement(
+            values,
+            muogram("ERROR"),
+            muogram("OPEN_SKY_COUNTS"),
+            read_number(*read, "EXPOSURE", context),
+            read_number(*read, "OPEN_SKY_EXPOSURE", context),
+            read_number(*read, "ACCEPTANCE", context),
+        )
+        choices = DensityChoices(
+            (read_number(*read, "MODEL_UNCERTAINTY", context) or 0.0) / 100,
+            read_number(*read, "MINIMUM_COUNTS", context) or 0.0,
+            (read_number(*read, "LIMIT_CONFIDENCE", context) or 0.0) / 100,
+            wanted(parameters, "DENSITY_MINIMUM", "DENSITY_MAXIMUM"),
+        )
+        return _Inputs(
+            tuple(paths),
+            measurement,
+            thickness,
+            read_physics(self, parameters, context, density=False),
+            choices,
+            read_number(*read, "DETECTOR_ELEVATION", context),
+        )
+
+    def compute(
+        self,
+        inputs: _Inputs,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        staging: Staging,
+    ) -> dict[str, Any]:
+        result = density_behind(
+            inputs.measurement,
+            inputs.thickness,
+            inputs.physics,
+            inputs.choices,
+            inputs.altitude_m,
+            progress_of(feedback, 0.0, 0.8),
+        )
+        _say(feedback, result)
+        results = stage_muograms(
+            self, _OUTPUTS, result.muograms, parameters, context, staging, inputs.paths
+        )
+
+        def panel() -> Any:
+            from ..muysc_qgis.plots import measured
+
+            return measured.panel(result)
+
+        def report(*told: Any) -> Any:
+            from ..muysc_qgis.plots import measured
+
+            return measured.report(result, measured.figures(result), *told)
+
+        results |= stage_drawn(
+            self, panel, report, results, parameters, context, feedback, staging, inputs.paths
+        )
+        return results | _numbers(result)
+
+
+def _muogram(
+    name: str, label: str, text: str, optional: bool = True
+) -> QgsProcessingParameterDefinition:
+    return explained(QgsProcessingParameterRasterLayer(name, label, None, optional), text)
+
+
+def _say(feedback: QgsProcessingFeedback, result: DensityResult) -> None:
+    """Log the mean, the pixels without a density by cause, and every warning."""
+    mean = result.mean
+    feedback.pushInfo(
+        f"{result.densities.count(Flag.MEASURED)} of {result.rock_pixels} pixels with rock have a "
+        f"density; the mean is {mean.density:.4g} ± {mean.error:.2g} g/cm³."
+    )
+    for cause, count in result.unknown.items():
+        if count:
+            feedback.pushInfo(f"  {cause}: {count} pixels")
+    for warning in result.warnings:
+        feedback.pushWarning(warning)
+
+
+def _numbers(result: DensityResult) -> dict[str, float]:
+    found, mean = result.densities, result.mean
+    return {
+        "MEAN_DENSITY": mean.density,
+        "MEAN_DENSITY_ERROR": mean.error,
+        "MEAN_DENSITY_STATISTICAL_ERROR": mean.statistical_error,
+        "MEDIAN_DENSITY": result.median_density,
+        "ROCK_PIXELS": result.rock_pixels,
+        "DENSITY_PIXELS": found.count(Flag.MEASURED),
+        "LIMIT_PIXELS": found.count(Flag.LOWER_LIMIT),
+        "BRIGHT_PIXELS": found.count(Flag.BRIGHT),
+        "UNKNOWN_PIXELS": found.count(Flag.NOT_MEASURED) + found.count(Flag.NO_ANSWER),
+        "REGIONS": found.regions,
+    }
