@@ -27,10 +27,10 @@ Field = Callable[[np.ndarray, np.ndarray], np.ndarray]
 _CORNER, _MIDDLE = 1 / 12, 1 / 6
 
 #: Nodes across a cell in which the function changes abruptly.
-ROUGH_NODES = 6
+ROUGH_NODES = 16
 
 #: Rough cells worked on at a time, to bound the memory.
-_BLOCK = 1 << 13
+_BLOCK = 1 << 10
 
 
 def corner_tangents(geometry: TelescopeGeometry) -> tuple[np.ndarray, np.ndarray]:

@@ -17,18 +17,18 @@ from .directions import Pointing
 from .geometry import TelescopeGeometry
 from .quadrature import corner_tangents
 
-#: Height in steps at which the lowest row above the horizon stands: on it the flux is
-#: still known, and it is lost for the least possible part of the sky.
-_ABOVE_HORIZON = 1e-6
+#: Lowest elevation of a ray in degrees. No flux model has an answer at or below the
+#: horizon, and so little above it the flux is still known.
+LOWEST_DEG = 1e-6
 
-#: Lowest elevation of a ray in degrees; straight down there is no tangent.
-_LOWEST_DEG = -89.9
-
-#: Arrays of float64 alive at once per ray.
-_ARRAYS_PER_RAY = 30
+#: Memory that the rays take, and all quantities on them.
+_BYTES_PER_RAY = 800
 
 #: Change of a logarithm across one step of the grid that counts as abrupt.
 _ABRUPT = 0.35
+
+#: Rays between two rows of the grid, where something changes abruptly.
+FINE_ROWS = 8
 
 #: Smallest value whose logarithm is taken.
 _TINY = 1e-300
@@ -44,12 +44,45 @@ class SkyGrid:
         (n_azimuth,) increasing, evenly spaced; around the whole sky where the zenith is
         in view.
     elevation_deg
-        (n_elevation,) increasing; one of them just above the horizon where that is in
-        view.
+        (n_elevation,) increasing, evenly spaced, from just above the horizon where that is
+        in view.
     """
 
     azimuth_deg: np.ndarray
     elevation_deg: np.ndarray
+
+    @property
+    def fine_elevation_deg(self) -> np.ndarray:
+        """The elevations with `FINE_ROWS` − 1 more between any two."""
+        count = FINE_ROWS * (len(self.elevation_deg) - 1) + 1
+        return np.linspace(self.elevation_deg[0], self.elevation_deg[-1], count)
+
+    @property
+    def steps_deg(self) -> tuple[float, float]:
+        """Spacing in azimuth and in elevation."""
+        azimuth, elevation = self.azimuth_deg, self.elevation_deg
+        return (
+            float(azimuth[-1] - azimuth[0]) / (len(azimuth) - 1),
+            float(elevation[-1] - elevation[0]) / (len(elevation) - 1),
+        )
+
+    def fine_part(self, steps: np.ndarray, fine: np.ndarray) -> np.ndarray:
+        """Return what a fine array holds along steps from one row to the next.
+
+        Parameters
+        ----------
+        steps
+            (n, 2) row and column of the lower ends.
+        fine
+            (n_fine_elevation, n_azimuth).
+
+        Returns
+        -------
+        numpy.ndarray
+            (n, `FINE_ROWS` + 1) with both ends.
+        """
+        rows = FINE_ROWS * steps[:, :1] + np.arange(FINE_ROWS + 1)
+        return np.asarray(fine[rows, steps[:, 1:]])
 
 
 def grid_around(geometry: TelescopeGeometry, pointing: Pointing, rays_per_bar: float) -> SkyGrid:
@@ -76,31 +109,77 @@ def grid_around(geometry: TelescopeGeometry, pointing: Pointing, rays_per_bar: f
     step = math.degrees(math.atan(geometry.step)) / rays_per_bar
     low, high = float(elevation.min()), float(elevation.max())
     left, right = float(azimuth.min()), float(azimuth.max())
-    if _sees(geometry, pointing, 90.0):
+    if _sees_zenith(geometry, pointing):
         high = 90.0
-    if _sees(geometry, pointing, -90.0):
-        low = _LOWEST_DEG
-    if _sees(geometry, pointing, 90.0) or _sees(geometry, pointing, -90.0) or right - left > 300:
         left, right = pointing.azimuth_deg - 180.0, pointing.azimuth_deg + 180.0
-    low = max(low, _LOWEST_DEG)
+    if high < step:
+        raise MuyscError(
+            f"The telescope sees nothing above {high:.2g}° of elevation, where there are no muons "
+            "to count; raise the boresight."
+        )
+    low = max(low, LOWEST_DEG)
     columns = max(2, math.ceil((right - left) / step) + 1)
-    anchor = _ABOVE_HORIZON * step
-    first = math.floor((low - anchor) / step)
-    rows = max(2, math.ceil((high - anchor) / step) - first + 1)
-    if rows * columns * _ARRAYS_PER_RAY * 8 > MEMORY_LIMIT:
+    rows = max(2, math.ceil((high - low) / step) + 1)
+    if rows * columns * _BYTES_PER_RAY > MEMORY_LIMIT:
         raise MuyscError(
             f"{rows:,} × {columns:,} rays would take more than the "
             f"{MEMORY_LIMIT / 2**30:.0f} GiB of memory allowed; use fewer rays a bar or a "
             "telescope with fewer bars."
         )
-    rising = np.clip(anchor + step * (first + np.arange(rows)), _LOWEST_DEG, 90.0)
-    return SkyGrid(np.linspace(left, right, columns), np.unique(rising))
+    return SkyGrid(np.linspace(left, right, columns), np.linspace(low, high, rows))
 
 
-def _sees(geometry: TelescopeGeometry, pointing: Pointing, elevation_deg: float) -> bool:
-    x, y = pointing.plane(np.zeros(()), np.asarray(elevation_deg))
+def _sees_zenith(geometry: TelescopeGeometry, pointing: Pointing) -> bool:
+    x, y = pointing.plane(np.zeros(()), np.asarray(90.0))
     step = geometry.step
     return bool(abs(x) <= geometry.bars_x * step and abs(y) <= geometry.bars_y * step)
+
+
+@dataclass(frozen=True)
+class Layers:
+    """Values of the same quantities somewhere.
+
+    Parameters
+    ----------
+    sky
+        (…) true where there is no rock.
+    logarithmic, linear
+        (n, …) quantities interpolated by their logarithm, except between rock and sky,
+        and as they are; NaN where unknown.
+    """
+
+    sky: np.ndarray
+    logarithmic: np.ndarray
+    linear: np.ndarray
+
+
+def abrupt_steps(grid: SkyGrid, sky: np.ndarray, logarithmic: np.ndarray) -> np.ndarray:
+    """Return the steps from row to row in which something changes abruptly.
+
+    Parameters
+    ----------
+    grid
+        The directions.
+    sky
+        (n_fine_elevation, n_azimuth), true where there is no rock.
+    logarithmic
+        (n, n_elevation, n_azimuth) quantities.
+
+    Returns
+    -------
+    numpy.ndarray
+        (n, 2) row and column of their lower ends.
+    """
+    rows = len(grid.elevation_deg) - 1
+    inner = sky[:-1].reshape(rows, FINE_ROWS, -1)
+    abrupt = np.any(inner != sky[FINE_ROWS::FINE_ROWS, None], axis=1)
+    return np.argwhere(abrupt | _jumps(logarithmic, axis=0))
+
+
+def _jumps(logarithmic: np.ndarray, axis: int) -> np.ndarray:
+    """Return where any of some quantities changes by more than a third in a step."""
+    logarithm = np.log(np.maximum(logarithmic, _TINY))
+    return np.any(np.abs(np.diff(logarithm, axis=axis + 1)) > _ABRUPT, axis=0)
 
 
 @dataclass(frozen=True)
@@ -113,60 +192,90 @@ class SkyTable:
         The directions.
     pointing
         Turns tangents into directions.
-    sky
-        (n_elevation, n_azimuth), true where there is no rock.
-    logarithmic, linear
-        (n, n_elevation, n_azimuth) quantities interpolated by their logarithm, except
-        between rock and sky, and as they are; NaN where unknown.
+    coarse
+        Layers of (n_elevation, n_azimuth).
+    steps
+        (k, 2) row and column of the lower ends of those steps from row to row that are
+        known in more detail …
+    fine
+        … and layers of (k, `FINE_ROWS` + 1) along them.
     """
 
     grid: SkyGrid
     pointing: Pointing
-    sky: np.ndarray
-    logarithmic: np.ndarray
-    linear: np.ndarray
+    coarse: Layers
+    steps: np.ndarray
+    fine: Layers
 
     def __call__(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """Return the quantities at tangents: the logarithmic ones, then the linear ones."""
-        row, column, corners = self._locate(x, y)
-        columns = self.sky.shape[1]
-        flat = [row * columns + column, row * columns + column + 1]
-        flat += [index + columns for index in flat]
-        sky = self.sky.ravel()
-        mixed = np.zeros(row.shape, dtype=bool)
-        for index in flat[1:]:
-            mixed |= sky[index] != sky[flat[0]]
+        """Return the quantities at tangents: the logarithmic ones, then the linear ones.
 
-        def mean(values: np.ndarray) -> np.ndarray:
-            # What has no weight may be unknown.
-            parts = (
-                part * np.where(part > 0, values[index], 0.0)
-                for part, index in zip(corners, flat)
-            )
-            return np.asarray(sum(parts))
-
-        result = []
-        for values in self.logarithmic.reshape(len(self.logarithmic), -1):
-            smooth = np.exp(mean(np.log(np.maximum(values, _TINY))))
-            result.append(np.where(mixed, mean(values), smooth))
-        result += [mean(values) for values in self.linear.reshape(len(self.linear), -1)]
-        return np.stack(result)
-
-    def _locate(
-        self, x: np.ndarray, y: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, list[np.ndarray]]:
-        """Return row and column of the grid cells, and the weights of their corners."""
+        NaN at and below the horizon.
+        """
         azimuth, elevation = self.pointing.sky(x, y)
-        columns, down = self.grid.azimuth_deg, self.grid.elevation_deg
-        step = (columns[-1] - columns[0]) / (len(columns) - 1)
-        place = np.clip((azimuth - columns[0]) / step, 0, len(columns) - 1)
+        columns, rows = self.grid.azimuth_deg, self.grid.elevation_deg
+        step_x, step_y = self.grid.steps_deg
+        place = np.clip((azimuth - columns[0]) / step_x, 0, len(columns) - 1)
         column = np.minimum(place.astype(int), len(columns) - 2)
         right = place - column
-        row = np.clip(np.searchsorted(down, elevation, side="right") - 1, 0, len(down) - 2)
-        high = np.clip((elevation - down[row]) / (down[row + 1] - down[row]), 0.0, 1.0)
-        return row, column, [
-            (1 - high) * (1 - right), (1 - high) * right, high * (1 - right), high * right,
-        ]  # fmt: skip
+        place = np.clip((elevation - rows[0]) / step_y, 0, len(rows) - 1)
+        row = np.minimum(place.astype(int), len(rows) - 2)
+        height = place - row
+        index = np.full((len(rows) - 1, len(columns)), -1)
+        index[tuple(self.steps.T)] = np.arange(len(self.steps))
+        sides = [self._column(index, row, column + side, height) for side in (0, 1)]
+        (left_sky, left), (right_sky, other) = sides
+        alike = (left_sky == right_sky) & (left_sky >= 0)
+        result = []
+        for k, (one, two) in enumerate(zip(left, other)):
+            # What has no weight may be unknown.
+            one = np.where(right < 1, one, 0.0)
+            two = np.where(right > 0, two, 0.0)
+            mean = one + right * (two - one)
+            if k < len(self.coarse.logarithmic):
+                both = alike & (one > 0) & (two > 0)
+                ratio = np.where(both, two, 1.0) / np.where(both, one, 1.0)
+                mean = np.where(both, one * ratio**right, mean)
+            result.append(mean)
+        return np.where(elevation < LOWEST_DEG, np.nan, np.stack(result))
+
+    def _column(
+        self, index: np.ndarray, row: np.ndarray, column: np.ndarray, height: np.ndarray
+    ) -> tuple[np.ndarray, list[np.ndarray]]:
+        """Interpolate along the columns of the grid.
+
+        Returns
+        -------
+        tuple
+            0 where there is rock, 1 where there is none, −1 between the two; and the
+            quantities.
+        """
+        fine = index[row, column]
+        detailed = np.flatnonzero(fine >= 0)
+        place = height.ravel()[detailed] * FINE_ROWS
+        node = np.minimum(place.astype(int), FINE_ROWS - 1)
+        shape = height.shape
+        share = height.ravel().copy()
+        share[detailed] = place - node
+
+        def ends(coarse: np.ndarray, detail: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            low, high = coarse[row, column].ravel(), coarse[row + 1, column].ravel()
+            low[detailed] = detail[fine.ravel()[detailed], node]
+            high[detailed] = detail[fine.ravel()[detailed], node + 1]
+            return low, high
+
+        low_sky, high_sky = ends(self.coarse.sky, self.fine.sky)
+        mixed = low_sky != high_sky
+        result = []
+        for coarse, detail in zip(self.coarse.logarithmic, self.fine.logarithmic):
+            low, high = ends(coarse, detail)
+            smooth = ~mixed & (low > 0) & (high > 0)
+            ratio = np.where(smooth, high, 1.0) / np.where(smooth, low, 1.0)
+            result.append(np.where(smooth, low * ratio**share, _between(low, high, share)))
+        for coarse, detail in zip(self.coarse.linear, self.fine.linear):
+            result.append(_between(*ends(coarse, detail), share))
+        state = np.where(mixed, -1, low_sky.astype(int))
+        return state.reshape(shape), [values.reshape(shape) for values in result]
 
     def rough_cells(self, geometry: TelescopeGeometry) -> np.ndarray:
         """Return the cells between trajectories in which something changes abruptly.
@@ -179,16 +288,14 @@ class SkyTable:
         numpy.ndarray
             (2 N_y, 2 N_x) of bool.
         """
-        jump_x, jump_y = self.sky[:, 1:] != self.sky[:, :-1], self.sky[1:] != self.sky[:-1]
-        for values in self.logarithmic:
-            with np.errstate(invalid="ignore"):
-                logarithm = np.log(np.maximum(values, _TINY))
-                jump_x = jump_x | (np.abs(np.diff(logarithm, axis=1)) > _ABRUPT)
-                jump_y = jump_y | (np.abs(np.diff(logarithm, axis=0)) > _ABRUPT)
+        sky = self.coarse.sky
+        beside = (sky[:, 1:] != sky[:, :-1]) | _jumps(self.coarse.logarithmic, axis=1)
         rough = np.zeros((2 * geometry.bars_y, 2 * geometry.bars_x), dtype=bool)
         azimuth, elevation = self.grid.azimuth_deg, self.grid.elevation_deg
-        for jump, (down, right) in ((jump_x, (0, 1)), (jump_y, (1, 0))):
-            row, column = np.nonzero(jump)
+        for (row, column), (down, right) in (
+            (np.nonzero(beside), (0, 1)),
+            (self.steps.T, (1, 0)),
+        ):
             # Both rays and the middle between them may lie in different cells.
             for share in (0.0, 0.5, 1.0):
                 x, y = self.pointing.plane(
@@ -201,3 +308,9 @@ class SkyTable:
                     inside = (i >= 0) & (i < rough.shape[0]) & (j >= 0) & (j < rough.shape[1])
                 rough[i[inside].astype(int), j[inside].astype(int)] = True
         return rough
+
+
+def _between(low: np.ndarray, high: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Interpolate linearly; what has no weight may be unknown."""
+    low, high = np.where(share < 1, low, 0.0), np.where(share > 0, high, 0.0)
+    return np.asarray(low + share * (high - low))

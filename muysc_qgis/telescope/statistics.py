@@ -27,6 +27,9 @@ _TINY = 1e-300
 _SAME_RATE = 1e-9
 _FACTOR = 50.0
 
+#: Relative change below which its third power is enough.
+_SMALL = 1e-3
+
 
 def significant_excess(counts: np.ndarray, sigma: float) -> np.ndarray:
     """Return how many counts are an excess of a significance, exactly.
@@ -127,9 +130,10 @@ def days_for_contrast(
     different = known & (np.abs(changed - rate) > _SAME_RATE * rate)
     r, q = rate[different], np.maximum(changed[different], _TINY)
     more = q > r
-    # The likelihood ratio gives a start within a factor of a few.
-    with np.errstate(divide="ignore", invalid="ignore"):
-        start = sigma**2 / (2 * (q * np.log(q / r) - (q - r)))
+    # The likelihood ratio gives a start within a factor of a few; near 0 by its series.
+    change = q / r - 1
+    series = change**2 / 2 - change**3 / 6
+    start = sigma**2 / (2 * r * np.where(np.abs(change) < _SMALL, series, _information(change)))
 
     def surplus(time: np.ndarray) -> np.ndarray:
         mu, n = r * time, q * time
@@ -144,6 +148,12 @@ def days_for_contrast(
         )
     )
     return days
+
+
+def _information(change: np.ndarray) -> np.ndarray:
+    """Return (1 + x) ln(1 + x) − x, what a count tells of a relative change x."""
+    ratio = np.maximum(1 + change, _TINY)
+    return np.asarray(ratio * np.log(ratio) - change)
 
 
 def _root(

@@ -1,0 +1,439 @@
+"""What a telescope will count behind a mountain, and what the counts will show.
+
+DEM → rays on a fine grid → flux → mean flux over each trajectory → counts, errors and
+the density contrasts that can be seen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from .errors import MuyscError
+from .progress import Progress, part, report, silent
+from .radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
+from .radiography.counting import check_positive, exposure_days, feasibility_days
+from .radiography.raytracing import Outcome, RockPaths
+from .radiography.settings import Physics
+from .radiography.transmission import Attenuation, attenuate
+from .simulation import (
+    check_range,
+    describe,
+    describe_physics,
+    terrain_warnings,
+)
+from .telescope.acceptance import Trajectories, trajectories
+from .telescope.directions import Pointing
+from .telescope.geometry import TelescopeGeometry
+from .telescope.merging import check_merge, merge_sum, merged_offsets
+from .telescope.quadrature import corner_tangents, trajectory_means
+from .telescope.sky_table import (
+    FINE_ROWS,
+    LOWEST_DEG,
+    Layers,
+    SkyGrid,
+    SkyTable,
+    abrupt_steps,
+    grid_around,
+)
+from .telescope.statistics import days_for_contrast, significant_excess
+from .topography.sight import Sight
+from .topography.tracing import trace_terrain
+from .trajectories import TrajectoryMap
+
+#: How the days for a contrast are computed.
+STATISTICS = ("poisson", "lesparre")
+
+#: Quantities that are always there, and those computed only where wanted.
+ALWAYS = (
+    "counts", "open_sky_counts", "relative_error", "exposure", "flux", "thickness", "acceptance",
+)  # fmt: skip
+ON_REQUEST = ("density_resolution", "contrast_days")
+
+#: Relative change of the density that tells how steeply the flux falls with it.
+_PROBE = 0.02
+
+#: Share of a trajectory's response behind rock from which it counts as rock.
+_HALF = 0.5
+
+#: Share of the progress bar when all rays are traced.
+_TRACED = 0.6
+
+
+@dataclass(frozen=True)
+class CountingPlan:
+    """How long to count, and what is to be seen.
+
+    Parameters
+    ----------
+    days
+        Time of counting.
+    muons
+        Muons wanted along each trajectory, for the exposure time.
+    sigma
+        Significance in standard deviations with which a contrast is to be seen.
+    contrast_percent
+        Change of the density along the whole path to be seen, above −100 and not 0.
+    merge
+        Odd number of trajectories along a side that are taken together.
+    efficiency
+        Share of the muons through the telescope that it records.
+    statistics
+        One of `STATISTICS`: exact Poisson, or the feasibility formula of Lesparre.
+    rays_per_bar
+        Rays along a side for each step between two trajectories.
+
+    Raises
+    ------
+    MuyscError
+        If a value cannot be used.
+    """
+
+    days: float = 30.0
+    muons: float = 10.0
+    sigma: float = 3.0
+    contrast_percent: float = -10.0
+    merge: int = 1
+    efficiency: float = 1.0
+    statistics: str = "poisson"
+    rays_per_bar: float = 3.0
+
+    def __post_init__(self) -> None:
+        check_positive(self.days, "number of days")
+        check_positive(self.muons, "number of muons")
+        check_positive(self.sigma, "significance in standard deviations")
+        if not -100 < self.contrast_percent < np.inf or self.contrast_percent == 0:
+            raise MuyscError(
+                f"A density contrast of {self.contrast_percent:g} % cannot be seen or cannot be; "
+                "give a percentage above −100 that is not 0, negative for lighter rock."
+            )
+        if not 0 < self.efficiency <= 1:
+            raise MuyscError(
+                f"An efficiency of {self.efficiency:g} is impossible; give a share above 0 and "
+                "up to 1."
+            )
+        if self.statistics not in STATISTICS:
+            raise MuyscError(
+                f"There are no statistics “{self.statistics}”; use {' or '.join(STATISTICS)}."
+            )
+
+
+@dataclass(frozen=True)
+class TelescopeCounts:
+    """Rasters by quantity, and what to say about them."""
+
+    maps: Mapping[str, TrajectoryMap]
+    #: (n_y, n_x) share of each trajectory's response behind rock; unknown counts as rock.
+    rock_share: np.ndarray
+    #: One sentence each.
+    warnings: tuple[str, ...]
+    #: Number of trajectories that cannot be known, by cause.
+    unknown: Mapping[str, int]
+    geometry: TelescopeGeometry
+    pointing: Pointing
+    plan: CountingPlan
+    #: Rays traced.
+    rays: int = 0
+    grid: SkyGrid | None = field(default=None, repr=False)
+
+    @property
+    def trajectories(self) -> int:
+        """Number of trajectories, or bins of them."""
+        return int(self.rock_share.size)
+
+    @property
+    def behind_rock(self) -> np.ndarray:
+        """(n_y, n_x), true where most of the response is behind rock, and counts are known."""
+        return np.asarray(self.rock_share > _HALF) & np.isfinite(self.maps["counts"].values)
+
+    @property
+    def unknown_trajectories(self) -> int:
+        """Number of trajectories without counts."""
+        return int(np.count_nonzero(np.isnan(self.maps["counts"].values)))
+
+    def rate_per_day(self, behind_rock: bool = False) -> float:
+        """Return the muons a day along all known trajectories, or along those behind rock."""
+        counts = self.maps["counts"].values
+        chosen = self.behind_rock if behind_rock else np.ones(counts.shape, dtype=bool)
+        return float(np.nansum(counts[chosen]) / self.plan.days)
+
+    def median(self, quantity: str) -> float:
+        """Return the median of a quantity behind rock, NaN where there is none."""
+        values = self.maps[quantity].values[self.behind_rock]
+        known = values[np.isfinite(values)]
+        return float(np.median(known)) if known.size else float("nan")
+
+
+def expected_counts(
+    sight: Sight,
+    geometry: TelescopeGeometry,
+    pointing: Pointing,
+    physics: Physics,
+    plan: CountingPlan,
+    formula: str = "exact",
+    max_range_m: float | None = None,
+    near_field_m: float = 0.0,
+    wanted: tuple[str, ...] = ON_REQUEST,
+    progress: Progress = silent,
+) -> TelescopeCounts:
+    """Compute what a telescope counts along each of its trajectories.
+
+    The mean flux over a trajectory's response, times its acceptance.
+
+    Parameters
+    ----------
+    sight
+        Detector on the DEM, and target.
+    geometry, pointing
+        The telescope and where it points.
+    physics
+        Muon flux and rock.
+    plan
+        How long to count and what is to be seen.
+    formula
+        One of `FORMULAS` for the acceptance.
+    max_range_m, near_field_m
+        As for `simulate`.
+    wanted
+        Which of `ON_REQUEST` to compute as well.
+    progress
+        Told the share done.
+
+    Raises
+    ------
+    MuyscError
+        If a value cannot be used or the DEM cannot be read.
+    Cancelled
+        If `progress` asks for a stop.
+    """
+    check_range(max_range_m, near_field_m)
+    for bars in (geometry.bars_x, geometry.bars_y):
+        check_merge(bars, plan.merge)
+    grid = grid_around(geometry, pointing, plan.rays_per_bar)
+    rock = trace_terrain(
+        sight.frame,
+        sight.detector_elevation_m,
+        grid.azimuth_deg,
+        grid.fine_elevation_deg,
+        max_range_m,
+        near_field_m,
+        part(progress, 0.0, _TRACED),
+    )
+    altitude = sight.detector_elevation_m if physics.altitude_correction else 0.0
+    changes = [1.0]
+    if "density_resolution" in wanted:
+        changes.append(1.0 - _PROBE)
+    if "contrast_days" in wanted:
+        changes.append(1.0 + plan.contrast_percent / 100)
+    thickness, sky = rock.thickness_m.T, rock.thickness_m.T == 0
+    coarse = thickness[::FINE_ROWS]
+    muons, logarithmic = _fluxes(
+        coarse, grid.elevation_deg[:, None], changes, physics, altitude, progress
+    )
+    steps = abrupt_steps(grid, sky, logarithmic)
+    report(progress, 0.75)
+    detail = grid.fine_part(steps, thickness)
+    elevation = grid.fine_part(
+        steps, np.broadcast_to(grid.fine_elevation_deg[:, None], thickness.shape)
+    )
+    _, fine = _fluxes(detail, elevation, changes, physics, altitude, progress)
+    table = SkyTable(
+        grid,
+        pointing,
+        _layers(coarse, logarithmic),
+        steps,
+        _layers(detail, fine),
+    )
+    rough = table.rough_cells(geometry)
+    means = trajectory_means(geometry, table, rough)
+    report(progress, 0.9)
+    collected = trajectories(geometry, formula)
+    bins = _merged(means, collected, plan)
+    values = _quantities(bins, len(logarithmic), plan, wanted)
+    report(progress, 1.0)
+    metadata = {
+        **describe(sight, max_range_m, near_field_m),
+        **describe_physics(physics),
+        **describe_telescope(geometry, formula),
+        "BORESIGHT_AZIMUTH": pointing.azimuth_deg,
+        "BORESIGHT_ELEVATION": pointing.elevation_deg,
+        "ROLL": pointing.roll_deg,
+        "DAYS": plan.days,
+        "MUONS": plan.muons,
+        "SIGMA": plan.sigma,
+        "CONTRAST": plan.contrast_percent,
+        "STATISTICS": plan.statistics,
+        "EFFICIENCY": plan.efficiency,
+        "MERGE": float(plan.merge),
+    }
+    x = geometry.step * merged_offsets(geometry.bars_x, plan.merge)
+    y = geometry.step * merged_offsets(geometry.bars_y, plan.merge)[::-1]
+    counts = np.bincount(rock.outcome.ravel(), minlength=len(Outcome))
+    return TelescopeCounts(
+        {name: TrajectoryMap(name, array, x, y, metadata) for name, array in values.items()},
+        bins.means[-1],
+        (*terrain_warnings(sight, counts, rock.outcome.size, max_range_m), *muons.warnings),
+        _unknown(rock, table, geometry, rough, plan.merge),
+        geometry,
+        pointing,
+        plan,
+        thickness.size,
+        grid,
+    )
+
+
+def _fluxes(
+    thickness_m: np.ndarray,
+    elevation_deg: np.ndarray,
+    changes: list[float],
+    physics: Physics,
+    altitude_m: float,
+    progress: Progress,
+) -> tuple[Attenuation, np.ndarray]:
+    """Return the muons behind rock; and flux, open sky and the fluxes at changed densities."""
+    opacity = thickness_m * (physics.density * G_CM2_PER_M_WATER_EQUIVALENT)
+    results = []
+    for change in changes:
+        report(progress, _TRACED)
+        results.append(attenuate(opacity * change, elevation_deg, physics, altitude_m))
+    first, *others = results
+    sky = np.broadcast_to(first.open_sky, opacity.shape)
+    return first, np.stack([first.flux, sky, *(other.flux for other in others)])
+
+
+def _layers(thickness_m: np.ndarray, logarithmic: np.ndarray) -> Layers:
+    sky = thickness_m == 0
+    return Layers(sky, logarithmic, np.stack([thickness_m, np.where(sky, 0.0, 1.0)]))
+
+
+def describe_telescope(geometry: TelescopeGeometry, formula: str) -> dict[str, str | float]:
+    """Return what later steps need to know about the telescope."""
+    return {
+        "BARS_X": float(geometry.bars_x),
+        "BARS_Y": float(geometry.bars_y),
+        "PIXEL_SIZE": geometry.pixel_size_cm,
+        "SEPARATION": geometry.separation_cm,
+        "PLANES": float(geometry.planes),
+        "TANGENT_STEP": geometry.step,
+        "FORMULA": formula,
+    }
+
+
+@dataclass(frozen=True)
+class _Bins:
+    """Acceptances added up, and means weighted with them, (n_y, n_x) each."""
+
+    acceptance_cm2_sr: np.ndarray
+    means: np.ndarray
+
+
+def _merged(means: np.ndarray, collected: Trajectories, plan: CountingPlan) -> _Bins:
+    acceptance = merge_sum(collected.acceptance_cm2_sr, plan.merge)
+    summed = merge_sum(means * collected.acceptance_cm2_sr, plan.merge)
+    return _Bins(acceptance, summed / acceptance)
+
+
+def _quantities(
+    bins: _Bins, fluxes: int, plan: CountingPlan, wanted: tuple[str, ...]
+) -> dict[str, np.ndarray]:
+    """Return the values of every quantity by name."""
+    acceptance = bins.acceptance_cm2_sr
+    effective = acceptance * plan.efficiency
+    flux, open_sky, *changed = bins.means[:fluxes]
+    thickness, share = bins.means[fluxes:]
+    rate = flux * effective
+    counts = rate * plan.days
+    values = {
+        "counts": counts,
+        "open_sky_counts": open_sky * effective * plan.days,
+        "relative_error": 100 / np.sqrt(np.where(counts > 0, counts, np.nan)),
+        "exposure": exposure_days(flux, effective, plan.muons),
+        "flux": flux,
+        "thickness": thickness,
+        "acceptance": acceptance,
+    }
+    rock = share > 0
+    if "density_resolution" in wanted:
+        lighter = changed.pop(0)
+        values["density_resolution"] = np.where(
+            rock, 100 * smallest_contrast(counts, flux, lighter, plan.sigma), np.nan
+        )
+    if "contrast_days" in wanted:
+        if plan.statistics == "poisson":
+            days = days_for_contrast(rate, changed.pop(0) * effective, plan.sigma)
+        else:
+            days = feasibility_days(flux, changed.pop(0), effective, plan.sigma)
+        values["contrast_days"] = np.where(rock & np.isfinite(days), days, np.nan)
+    return values
+
+
+def smallest_contrast(
+    counts: np.ndarray, flux: np.ndarray, lighter_flux: np.ndarray, sigma: float
+) -> np.ndarray:
+    """Return the smallest decrease of the mean density that counts show, as a share.
+
+    The counts have to reach the exact Poisson excess n of `significant_excess`; the flux
+    goes as a power s of the density, I ∝ ρ^s, so that the density is less by
+    1 − (n/N)^(1/s). For many counts it is σ/(|s| √N).
+
+    Parameters
+    ----------
+    counts
+        Counts N expected without the contrast.
+    flux, lighter_flux
+        Muon flux, and the flux with the density less by the share `_PROBE`.
+    sigma
+        Significance in standard deviations.
+    """
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        slope = np.log(lighter_flux / flux) / np.log(1 - _PROBE)
+        contrast = 1 - (significant_excess(counts, sigma) / counts) ** (1 / slope)
+    return np.where(slope < 0, contrast, np.nan)
+
+
+def _unknown(
+    rock: RockPaths,
+    table: SkyTable,
+    geometry: TelescopeGeometry,
+    rough: np.ndarray,
+    merge: int,
+) -> dict[str, int]:
+    """Count the trajectories of which a part cannot be known, by cause."""
+    _, y = table.pointing.sky(*np.meshgrid(*corner_tangents(geometry)))
+    if y.min() > LOWEST_DEG and not any(
+        np.isnan(layers.logarithmic[0]).any() for layers in (table.coarse, table.fine)
+    ):
+        return {}
+    outcome = rock.outcome.T
+    causes = {
+        "a ray reaches the edge of the DEM in rock": Outcome.EDGE,
+        "a ray passes a gap in the DEM": Outcome.NO_DATA,
+        "the energy loss has no answer for so much rock": None,
+    }
+
+    def marked(layers: Layers, outcome: np.ndarray) -> Layers:
+        lost = np.isnan(layers.linear[0])
+        masks = [lost & (outcome == code) for code in causes.values() if code is not None]
+        masks.append(np.isnan(layers.logarithmic[0]) & ~lost)
+        nothing = np.empty((0, *lost.shape))
+        return Layers(layers.sky, nothing, np.stack(masks).astype(float))
+
+    masks = replace(
+        table,
+        coarse=marked(table.coarse, outcome[::FINE_ROWS]),
+        fine=marked(table.fine, table.grid.fine_part(table.steps, outcome)),
+    )
+
+    def reasons(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        below = table.pointing.sky(x, y)[1] < LOWEST_DEG
+        return np.concatenate([below[None].astype(float), np.where(below, 0.0, masks(x, y))])
+
+    touched = merge_sum(trajectory_means(geometry, reasons, rough), merge) > 0
+    horizon = "part of it looks at or below the horizon, where no flux model has an answer"
+    return {
+        cause: int(np.count_nonzero(one))
+        for cause, one in zip((horizon, *causes), touched)
+        if one.any()
+    }
