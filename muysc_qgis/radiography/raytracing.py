@@ -27,7 +27,7 @@ class Outcome(IntEnum):
     TRUNCATED = 1
     #: In rock at the edge of the terrain model.
     EDGE = 2
-    #: Passes a gap in the terrain model lower than the highest ground around.
+    #: Passes a gap in the terrain model, lower than the highest ground on its way.
     NO_DATA = 3
 
 
@@ -93,7 +93,7 @@ def rock_along_rays(
     tally = _Tally.empty(len(range_m), tangent.shape[-1])
     for pieces in blocks:
         tally.gaps.append(_gaps(pieces))
-        tally.highest = max(tally.highest, _highest(pieces))
+        _note_highest(tally, pieces)
         _add(tally, _monotone(pieces), tangent)
     return _finish(tally, tangent, np.cos(radians), range_m)
 
@@ -110,8 +110,8 @@ class _Tally:
     end_tangent: np.ndarray
     #: Runs of unknown ground: (ray, start, end) columns per block.
     gaps: list[np.ndarray]
-    #: Highest known ground above the detector.
-    highest: float
+    #: (n_azimuth,) highest known ground above the detector.
+    highest: np.ndarray
 
     @classmethod
     def empty(cls, n_azimuth: int, n_elevation: int) -> _Tally:
@@ -123,7 +123,7 @@ class _Tally:
             np.zeros(n_azimuth),
             np.full(n_azimuth, -np.inf),
             [],
-            -np.inf,
+            np.full(n_azimuth, -np.inf),
         )
 
 
@@ -289,15 +289,18 @@ def _gaps(pieces: ProfilePieces) -> np.ndarray:
     return np.column_stack([ray[begins], start[begins], end[stops]])
 
 
-def _highest(pieces: ProfilePieces) -> float:
-    """Return the highest known ground above the detector, curvature drop included."""
+def _note_highest(tally: _Tally, pieces: ProfilePieces) -> None:
+    """Note the highest known ground above the detector, curvature drop included."""
     if not len(pieces.ray):
-        return -np.inf
-    height = np.concatenate([
+        return
+    start, end = (
         pieces.constant + (pieces.linear + pieces.quadratic * distance) * distance
         for distance in (pieces.start_m, pieces.end_m)
-    ])  # fmt: skip
-    return float(np.max(height, initial=-np.inf, where=np.isfinite(height)))
+    )
+    first = np.flatnonzero(np.append(True, pieces.ray[1:] != pieces.ray[:-1]))
+    ray = pieces.ray[first]
+    highest = np.fmax.reduceat(np.fmax(start, end), first)  # NaN is unknown
+    tally.highest[ray] = np.fmax(tally.highest[ray], highest)
 
 
 def _finish(
@@ -319,7 +322,7 @@ def _finish(
         if start >= tally.end_m[ray_index] - _SAME_M:
             continue
         slope = tangent if tangent.ndim == 1 else tangent[ray_index]
-        clear = np.minimum(slope * start, slope * end) > tally.highest
+        clear = np.minimum(slope * start, slope * end) > tally.highest[ray_index]
         outcome[ray_index, ~clear] = Outcome.NO_DATA
         # Rock beyond the gap need not be the first.
         tally.first[ray_index, ~clear & (tally.first[ray_index] > start)] = np.inf

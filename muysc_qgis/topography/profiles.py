@@ -145,7 +145,7 @@ def _share_inside(position: np.ndarray, last: int) -> np.ndarray:
     return np.maximum(np.where(np.isfinite(start), share, 0.0), 0.0)
 
 
-def azimuth_parts(azimuths: int, reach: float) -> list[slice]:
+def azimuth_runs(azimuths: int, reach: float) -> list[slice]:
     """Split azimuths into runs whose paths fit one block of memory."""
     size = max(1, int(MAX_KNOTS // (2 + reach / PATH_STEP_M)))
     return [slice(start, min(start + size, azimuths)) for start in range(0, azimuths, size)]

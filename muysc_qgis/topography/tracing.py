@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 
-from ..progress import Progress, silent
-from ..progress import part as share
+from ..progress import Progress, part, silent
 from ..radiography.raytracing import Outcome, ProfilePieces, RockPaths, rock_along_rays
 from .frame import LocalFrame
-from .profiles import azimuth_parts, lay_paths, profile_pieces, reach_m
+from .profiles import azimuth_runs, lay_paths, profile_pieces, reach_m
 
 
 def trace_terrain(
@@ -66,28 +65,38 @@ def trace_terrain(
     elevation = np.asarray(elevation_deg, float)
     if elevation.ndim > 1:
         elevation = elevation[order]
-    tangent = np.tan(np.radians(elevation))
-    lowest = np.broadcast_to(tangent.min(axis=-1), azimuth.shape)
-    highest = np.broadcast_to(tangent.max(axis=-1), azimuth.shape)
-    reach = reach_m(frame, eye_m, float(lowest.min()))
-    farthest = reach if max_range_m is None else min(reach, max_range_m)
-    range_m = np.full(len(azimuth), np.inf)  # known when the paths are laid
+    reach = reach_m(frame, eye_m, float(np.tan(np.radians(elevation.min()))))
+    end = reach if max_range_m is None else min(reach, max_range_m)
 
-    def blocks(tangents: tuple[np.ndarray, np.ndarray] | None) -> Iterator[ProfilePieces]:
-        for part in azimuth_parts(len(azimuth), farthest):
-            rays = None if tangents is None else (tangents[0][part], tangents[1][part])
-            paths = lay_paths(frame, azimuth[part], near_field_m, reach, max_range_m, rays)
-            range_m[part] = paths.range_m
-            done = share(progress, part.start / len(azimuth), part.stop / len(azimuth))
-            for pieces in profile_pieces(paths, slice(0, len(paths.end_m)), eye_m, frame, done):
-                yield replace(pieces, ray=pieces.ray + part.start)
+    def trace(chosen: slice | np.ndarray, level: bool, progress: Progress) -> RockPaths:
+        """Trace the rays of some azimuths, over level ground where they meet none."""
+        towards = azimuth[chosen]
+        own = elevation if elevation.ndim == 1 else elevation[chosen]
+        tangent = np.tan(np.radians(own))
+        lowest = np.broadcast_to(tangent.min(axis=-1), towards.shape)
+        highest = np.broadcast_to(tangent.max(axis=-1), towards.shape)
+        range_m = np.full(len(towards), np.inf)  # known when the paths are laid
 
-    rock = rock_along_rays(blocks((lowest, highest)), elevation, range_m)
-    if np.any(rock.outcome == Outcome.NO_DATA):
-        # Rays over gaps are judged by the highest ground on the profiles, and level
-        # pieces are somewhat higher: once more with all the detail.
-        rock = rock_along_rays(blocks(None), elevation, range_m)
+        def blocks() -> Iterator[ProfilePieces]:
+            for run in azimuth_runs(len(towards), end):
+                rays = (lowest[run], highest[run]) if level else None
+                paths = lay_paths(frame, towards[run], near_field_m, reach, max_range_m, rays)
+                range_m[run] = paths.range_m
+                done = part(progress, run.start / len(towards), run.stop / len(towards))
+                everyone = slice(0, run.stop - run.start)
+                for pieces in profile_pieces(paths, everyone, eye_m, frame, done):
+                    yield replace(pieces, ray=pieces.ray + run.start)
+
+        return rock_along_rays(blocks(), own, range_m)
+
+    rock = trace(slice(None), True, progress)
+    names = [field.name for field in fields(RockPaths)]
+    doubtful = np.flatnonzero((rock.outcome == Outcome.NO_DATA).any(axis=1))
+    if doubtful.size:
+        # Rays over gaps are judged by the highest ground on their way, and level
+        # ground is somewhat higher than what it stands for.
+        detailed = trace(doubtful, False, part(progress, 1.0, 1.0))
+        for name in names:
+            getattr(rock, name)[doubtful] = getattr(detailed, name)
     back = np.argsort(order)
-    return RockPaths(
-        rock.thickness_m[back], rock.distance_m[back], rock.exit_m[back], rock.outcome[back]
-    )
+    return RockPaths(*(getattr(rock, name)[back] for name in names))
