@@ -87,29 +87,44 @@ class TestGaps:
         )
         np.testing.assert_array_equal(trailing.outcome == Outcome.EDGE, in_rock)
 
-    def test_only_ground_on_the_profiles_counts_as_around(self, ridge_dem, trace):
+    def test_only_ground_on_its_way_judges_a_ray(self, ridge_dem, trace):
         # A tower between two rays far above it, higher than they are where they pass
         # a gap in the plain.
         def tower(east, north):
             return np.where((np.abs(east - 1300) < 15) & (np.abs(north - 40) < 15), 100.0, 0.0)
 
         path = ridge_dem(lambda e, n: np.abs(e - 300) < 30, shape=tower)
-        elevation = np.array([10.0])
-        rock = trace(path, [90.0, 86.0], elevation, eye=1.0)
-        assert np.all(rock.outcome == Outcome.KNOWN)
-        assert np.all(rock.thickness_m == 0)
-        # A third ray whose profile crosses the tower makes it the highest around.
-        over_it = 90.0 - np.degrees(np.arctan(40 / 1300))
-        rock = trace(path, [90.0, over_it, 86.0], elevation, eye=1.0)
-        assert np.all(rock.outcome == Outcome.NO_DATA)
+        across = 90.0 - np.degrees(np.arctan(40 / 1300))
+        rock = trace(path, [90.0, across, 86.0], np.array([10.0]), eye=1.0)
+        assert rock.outcome[:, 0].tolist() == [Outcome.KNOWN, Outcome.NO_DATA, Outcome.KNOWN]
+        assert rock.thickness_m[0, 0] == rock.thickness_m[2, 0] == 0
 
-    def test_one_ray_past_a_gap_is_the_one_among_many_on_its_profile(self, ridge_dem, trace):
-        path = ridge_dem(lambda e, n: np.abs(e - 850) < 30)
-        many = trace(path, 90.0, RISING, eye=0.0)
-        for index, elevation in enumerate(RISING):
-            one = trace(path, 90.0, np.array([elevation]), eye=0.0)
-            assert one.outcome[0, 0] == many.outcome[0, index]
-            np.testing.assert_allclose(one.thickness_m[0, 0], many.thickness_m[0, index])
+    def test_one_ray_past_gaps_is_the_one_among_many(self, ridge_dem, trace):
+        generator = np.random.default_rng(8)
+        voids = generator.uniform(-1200.0, 1200.0, (40, 2))
+
+        def hills(east, north):
+            return 80.0 * (1 + np.sin(east / 150.0) * np.cos(north / 190.0))
+
+        def gap(east, north):
+            near = np.hypot(east[..., None] - voids[:, 0], north[..., None] - voids[:, 1])
+            return near.min(axis=-1) < 25.0
+
+        path = ridge_dem(gap, shape=hills, half_width=1300.0)
+        azimuth, elevation = np.arange(0.0, 360.0, 5.0), np.array([-2.0, 0.0, 2.0, 5.0, 9.0, 20.0])
+        many = trace(path, azimuth, elevation, eye=100.0)
+        rays = [
+            ray for code in (Outcome.KNOWN, Outcome.EDGE, Outcome.NO_DATA)
+            for ray in np.argwhere(many.outcome == code)[::9]
+        ]  # fmt: skip
+        assert len(rays) > 40
+        assert np.count_nonzero(many.outcome == Outcome.NO_DATA) > 60
+        for row, column in rays:
+            one = trace(path, azimuth[row], elevation[column], eye=100.0)
+            for name in ("outcome", "thickness_m", "distance_m", "exit_m"):
+                np.testing.assert_allclose(
+                    getattr(one, name)[0, 0], getattr(many, name)[row, column], rtol=1e-9
+                )
 
 
 class TestEdgeAndRange:
