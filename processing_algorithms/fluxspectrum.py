@@ -25,7 +25,7 @@ from ..muysc_qgis.radiography.comparison import (
 )
 from ..muysc_qgis.radiography.comparison_tables import COLUMNS, rows, write_table
 from ..muysc_qgis.radiography.materials import MATERIALS
-from ..muysc_qgis.radiography.settings import Physics
+from ..muysc_qgis.radiography.settings import Physics, check_altitude
 from ..muysc_qgis.radiography.spectra import MODELS
 from ..muysc_qgis.staging import Staging
 from .base import MuyscAlgorithm
@@ -141,12 +141,14 @@ class FluxSpectrum(MuyscAlgorithm):
             angles = self.parameterDefinition("ZENITH_ANGLES").defaultValue()
         thickness = read_number(self, parameters, "THICKNESS", context) or 0.0
         check_thickness(thickness)
+        altitude = read_number(self, parameters, "ALTITUDE", context) or 0.0
+        check_altitude(altitude)
         return _Inputs(
             models,
             zenith_angles(str(angles)),
             thickness,
             read_physics(self, parameters, context, flux_model=models[0]),
-            read_number(self, parameters, "ALTITUDE", context) or 0.0,
+            altitude,
             self._read_choices(parameters, "MATERIALS", context),
         )
 
@@ -160,7 +162,7 @@ class FluxSpectrum(MuyscAlgorithm):
         for word in words:
             if isinstance(word, str) and word.strip() not in ("", *options):
                 raise MuyscError(f"{name} names “{word}”; use some of {', '.join(options)}.")
-        if isinstance(raw, str):
+        if isinstance(raw, str) or raw == []:
             return [word.strip() for word in words if word.strip()]
         return list(self.parameterAsEnumStrings(parameters, name, context))
 
