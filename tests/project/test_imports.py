@@ -15,7 +15,6 @@ ALGORITHMS = ROOT / "processing_algorithms"
 ROOMS = {
     "muysc_qgis/radiography": {"numpy", "scipy"},
     "muysc_qgis/measurement": {"numpy", "scipy"},
-    "muysc_qgis/measurement": {"numpy", "scipy"},
     "muysc_qgis/telescope": {"numpy", "scipy"},
     "muysc_qgis/tomography": {"numpy", "scipy"},
     "muysc_qgis/topography": {"numpy", "scipy", "osgeo", "pyproj"},
