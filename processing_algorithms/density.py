@@ -17,14 +17,14 @@ from ..muysc_qgis.errors import MuyscError
 from ..muysc_qgis.measured import Measurement
 from ..muysc_qgis.measured_density import DensityChoices, DensityResult, density_behind
 from ..muysc_qgis.measurement.density import Flag
-from ..muysc_qgis.muogram import Muogram, read_muogram
+from ..muysc_qgis.muogram import Muogram
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import raster_outputs, stage_muograms, wanted
+from .parameters.muograms import read_muogram_layer
 from .parameters.physics import physics_parameters, read_physics
-from .parameters.terrain import raster_layer
 from .parameters.values import explained, given, number, read_number
 
 #: Quantity by output.
@@ -150,19 +150,19 @@ class Density(MuyscAlgorithm):
         paths: list[str] = []
 
         def muogram(name: str) -> Muogram | None:
-            if not given(parameters, name):
-                return None
-            paths.append(raster_layer(self, parameters, name, context).source())
-            return read_muogram(paths[-1])
+            return taken(name) if given(parameters, name) else None
 
-        values = muogram(names[0])
-        if values is not None and values.quantity != names[0].lower():
+        def taken(name: str) -> Muogram:
+            read, path = read_muogram_layer(self, parameters, name, context)
+            paths.append(path)
+            return read
+
+        values = taken(names[0])
+        if values.quantity != names[0].lower():
             raise MuyscError(
                 f"{names[0]} is a muogram of {values.quantity}; choose one of {names[0].lower()}."
             )
-        thickness = muogram("THICKNESS")
-        if values is None or thickness is None:
-            raise MuyscError("THICKNESS is missing; choose a muogram of thickness.")
+        thickness = taken("THICKNESS")
         read = (self, parameters)
         measurement = Measurement(
             values,

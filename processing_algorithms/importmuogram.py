@@ -29,12 +29,12 @@ from ..muysc_qgis.measurement.layout import (
     VERTICAL_ANGLES,
     TextLayout,
 )
-from ..muysc_qgis.muogram import Muogram, read_muogram, write_muogram
+from ..muysc_qgis.muogram import Muogram, write_muogram
 from ..muysc_qgis.quantities import QUANTITIES
 from ..muysc_qgis.staging import Staging
 from .base import MuyscAlgorithm
 from .outputs.rasters import destination, stage_raster
-from .parameters.terrain import raster_layer
+from .parameters.muograms import read_muogram_layer
 from .parameters.values import (
     choice,
     explained,
@@ -232,8 +232,8 @@ class ImportMuogram(MuyscAlgorithm):
         metadata: dict[str, str | float] = {}
         reference, notes = None, []
         if given(parameters, "REFERENCE"):
-            paths.append(raster_layer(self, parameters, "REFERENCE", context).source())
-            reference = read_muogram(paths[-1])
+            reference, path = read_muogram_layer(self, parameters, "REFERENCE", context)
+            paths.append(path)
             metadata |= _place(reference)
         detector = self._detector(parameters, context, notes)
         metadata |= detector

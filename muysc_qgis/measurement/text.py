@@ -88,6 +88,9 @@ def read_text_table(path: str | Path, no_data: float | None = None) -> TextTable
         rows.append((number, _fields(line, separator)))
     if not rows:
         raise MuyscError(f"{path.name} holds no line of numbers; choose a text table or matrix.")
+    if all(len(fields) > 1 and not fields[-1] for _, fields in rows):
+        # A separator at the end of every line begins no column.
+        rows = [(number, fields[:-1]) for number, fields in rows]
     width = len(rows[0][1])
     values = np.empty((len(rows), width))
     for index, (number, fields) in enumerate(rows):
@@ -150,9 +153,7 @@ def _separator(line: str) -> str | None:
 def _fields(line: str, separator: str | None) -> list[str]:
     if separator is None:
         return line.split()
-    fields = [text.strip().strip('"').strip() for text in line.strip("\r\n ").split(separator)]
-    # A separator at the end of the line begins no field.
-    return fields[:-1] if len(fields) > 1 and not fields[-1] else fields
+    return [text.strip().strip('"').strip() for text in line.strip("\r\n ").split(separator)]
 
 
 def _is_row(fields: Sequence[str], separator: str | None) -> bool:
@@ -188,6 +189,8 @@ def _names(header: str | None, separator: str | None, width: int) -> tuple[str, 
     candidates = [_fields(header, separator)]
     candidates += [_fields(header, other) for other in ("\t", ";", ",", None)]
     for fields in candidates:
+        if len(fields) == width + 1 and not fields[-1]:
+            fields = fields[:-1]
         if len(fields) == width and all(fields):
             return tuple(fields)
     return ()
