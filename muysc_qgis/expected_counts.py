@@ -41,7 +41,7 @@ from .telescope.sky_table import (
 from .telescope.statistics import days_for_contrast, significant_excess
 from .topography.sight import Sight
 from .topography.tracing import trace_terrain
-from .trajectories import TrajectoryMap
+from .trajectories import TrajectoryMap, describe_telescope
 
 #: How the days for a contrast are computed.
 STATISTICS = ("poisson", "lesparre")
@@ -147,6 +147,11 @@ class TelescopeCounts:
     def behind_rock(self) -> np.ndarray:
         """(n_y, n_x), true where most of the response is behind rock, and counts are known."""
         return np.asarray(self.rock_share > _HALF) & np.isfinite(self.maps["counts"].values)
+
+    @property
+    def rock_trajectories(self) -> int:
+        """Number of trajectories behind rock."""
+        return int(np.count_nonzero(self.behind_rock))
 
     @property
     def unknown_trajectories(self) -> int:
@@ -260,6 +265,8 @@ def expected_counts(
         "BORESIGHT_AZIMUTH": pointing.azimuth_deg,
         "BORESIGHT_ELEVATION": pointing.elevation_deg,
         "ROLL": pointing.roll_deg,
+        "TARGET_AZIMUTH": sight.boresight_azimuth_deg,
+        "TARGET_ELEVATION_ANGLE": sight.boresight_elevation_deg,
         "DAYS": plan.days,
         "MUONS": plan.muons,
         "SIGMA": plan.sigma,
@@ -306,19 +313,6 @@ def _fluxes(
 def _layers(thickness_m: np.ndarray, logarithmic: np.ndarray) -> Layers:
     sky = thickness_m == 0
     return Layers(sky, logarithmic, np.stack([thickness_m, np.where(sky, 0.0, 1.0)]))
-
-
-def describe_telescope(geometry: TelescopeGeometry, formula: str) -> dict[str, str | float]:
-    """Return what later steps need to know about the telescope."""
-    return {
-        "BARS_X": float(geometry.bars_x),
-        "BARS_Y": float(geometry.bars_y),
-        "PIXEL_SIZE": geometry.pixel_size_cm,
-        "SEPARATION": geometry.separation_cm,
-        "PLANES": float(geometry.planes),
-        "TANGENT_STEP": geometry.step,
-        "FORMULA": formula,
-    }
 
 
 @dataclass(frozen=True)

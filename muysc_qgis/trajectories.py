@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,7 +12,9 @@ import numpy as np
 from .errors import MuyscError
 from .muogram import Grid, Muogram, read_grid, read_muogram, write_grid
 from .quantities import QUANTITIES, Quantity
+from .telescope.acceptance import Trajectories
 from .telescope.directions import Pointing
+from .telescope.geometry import TelescopeGeometry
 
 #: Value of PROJECTION in rasters whose axes are tangents.
 TANGENT = "tangent"
@@ -178,3 +181,81 @@ def read_view(path: str | Path) -> Muogram | TrajectoryMap:
     if read_grid(path).metadata.get("PROJECTION") == TANGENT:
         return read_trajectories(path)
     return read_muogram(path)
+
+
+def describe_telescope(geometry: TelescopeGeometry, formula: str) -> dict[str, str | float]:
+    """Return what later steps need to know about the telescope."""
+    return {
+        "BARS_X": float(geometry.bars_x),
+        "BARS_Y": float(geometry.bars_y),
+        "PIXEL_SIZE": geometry.pixel_size_cm,
+        "SEPARATION": geometry.separation_cm,
+        "PLANES": float(geometry.planes),
+        "TANGENT_STEP": geometry.step,
+        "FORMULA": formula,
+    }
+
+
+def maps_of(collected: Trajectories, name: str) -> dict[str, TrajectoryMap]:
+    """Return what a telescope collects as rasters by quantity.
+
+    Parameters
+    ----------
+    collected
+        From `trajectories`.
+    name
+        Name of the telescope, for the metadata.
+    """
+    geometry = collected.geometry
+    metadata = {"TELESCOPE": name, **describe_telescope(geometry, collected.formula)}
+    x, y = geometry.step * geometry.offset_x, geometry.step * geometry.offset_y
+    values = {
+        "acceptance": collected.acceptance_cm2_sr,
+        "solid_angle": collected.solid_angle_sr,
+        "detection_area": collected.detection_area_cm2,
+        "path_length": collected.path_length_cm,
+        "angular_resolution": collected.angular_resolution_mrad,
+    }
+    return {key: TrajectoryMap(key, array, x, y, metadata) for key, array in values.items()}
+
+
+def write_table(maps: Mapping[str, TrajectoryMap], path: str | Path) -> None:
+    """Write rasters on the same trajectories as a CSV table, units in the header.
+
+    A row for each trajectory: its pixel offsets, its tangents, its direction where the
+    telescope has one, and every quantity; unknown values are left empty.
+
+    Raises
+    ------
+    MuyscError
+        If the file cannot be written.
+    """
+    first = next(iter(maps.values()))
+    step = float(first.metadata["TANGENT_STEP"])
+    x, y = np.meshgrid(first.x, first.y)
+    columns = {
+        "offset to the right (pixels)": np.rint(x / step).astype(int),
+        "offset upwards (pixels)": np.rint(y / step).astype(int),
+        "tangent to the right": x,
+        "tangent upwards": y,
+    }
+    if "BORESIGHT_AZIMUTH" in first.metadata:
+        azimuth, elevation = first.directions_deg()
+        columns |= {"azimuth (°)": azimuth % 360.0, "elevation (°)": elevation}
+    columns |= {one.kind.label: one.values for one in maps.values()}
+    try:
+        with open(path, "w", encoding="utf-8", newline="") as stream:
+            writer = csv.writer(stream)
+            writer.writerow(columns)
+            for row in zip(*(values.ravel().tolist() for values in columns.values())):
+                writer.writerow(_cell(value) for value in row)
+    except OSError as error:
+        raise MuyscError(
+            f"The table {path} cannot be written ({error.strerror}); choose another folder or "
+            "close the program that holds the file."
+        ) from error
+
+
+def _cell(value: float) -> str:
+    """Return a number with nine digits, nothing where it is unknown."""
+    return "" if value != value else f"{value:.9g}"

@@ -17,6 +17,8 @@ ALGORITHMS = (
     ("fluxspectrum", "FluxSpectrum"),
     ("importmuogram", "ImportMuogram"),
     ("density", "Density"),
+    ("telescope", "Telescope"),
+    ("expectedcounts", "ExpectedCounts"),
 )
 
 

@@ -30,6 +30,17 @@ _HELP = {
     "transmission": "Flux over open-sky flux, 1 in the sky.",
     "exposure": "Days until a pixel has counted the muons wanted.",
     "distance": "Length of each ray from the detector to the first rock.",
+    "counts": "Muons expected along each trajectory in the time given.",
+    "open_sky_counts": "Muons that there would be without the rock.",
+    "relative_error": "Standard error of the counts, in percent of them.",
+    "density_resolution": "Smallest decrease of the mean density along the path that the counts "
+    "show, in percent.",
+    "contrast_days": "Days until the density contrast shows.",
+    "acceptance": "Counts per time are the acceptance times the flux.",
+    "solid_angle": "Solid angle of the directions that belong to each trajectory.",
+    "detection_area": "Area of the front plane from which each trajectory reaches the back plane.",
+    "path_length": "Length from plane to plane along each trajectory.",
+    "angular_resolution": "Square root of the solid angle: the full width of the response.",
     "density": "Mean density along each ray; a lower limit where no muon was counted.",
     "density_error": "Standard error of the density, half of its interval.",
     "density_lower": "Lower end of the interval of one standard deviation.",
@@ -44,7 +55,9 @@ _HELP = {
 
 
 def raster_outputs(
-    quantities: Mapping[str, str], always: Iterable[str]
+    quantities: Mapping[str, str],
+    always: Iterable[str],
+    axes: str = "azimuth to the right and elevation upwards, degrees",
 ) -> list[QgsProcessingParameterDefinition]:
     """Declare raster destinations, given the quantity of each by output name."""
     return [
@@ -52,7 +65,7 @@ def raster_outputs(
             QgsProcessingParameterRasterDestination(
                 output, QUANTITIES[name].label, None, output not in always, output in always
             ),
-            _HELP[name] + " A GeoTIFF with azimuth to the right and elevation upwards, degrees.",
+            f"{_HELP[name]} A GeoTIFF with {axes}.",
         )
         for output, name in quantities.items()
     ]
