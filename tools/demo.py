@@ -40,6 +40,8 @@ FILES = {
     "OPACITY": "opacity.tif",
     "MINIMUM_ENERGY": "minimum_energy.tif",
     "FLUX": "flux.tif",
+    "FLUX_MINIMUM": "flux_minimum.tif",
+    "FLUX_MAXIMUM": "flux_maximum.tif",
     "OPEN_SKY": "open_sky.tif",
     "TRANSMISSION": "transmission.tif",
     "EXPOSURE": "exposure.tif",
