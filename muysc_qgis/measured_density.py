@@ -9,15 +9,8 @@ import numpy as np
 
 from .errors import MuyscError
 from .measured import Measurement, metres_apart, require_quantity, require_same_directions
-from .measurement.density import (
-    Densities,
-    Flag,
-    Mean,
-    Scene,
-    mean_density,
-    measure_density,
-    model_densities,
-)
+from .measurement.density import Densities, Flag, Scene, measure_density, model_densities
+from .measurement.mean import Mean, mean_density
 from .measurement.observation import Observation, check_transmission, pixels
 from .muogram import Muogram
 from .progress import Progress, report, silent

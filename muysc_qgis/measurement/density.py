@@ -66,7 +66,7 @@ class Densities:
     def regions(self) -> int:
         """Number of regions with a density of their own."""
         if self.region is None:
-            return int(np.count_nonzero(np.isfinite(self.density)))
+            return self.count(Flag.MEASURED)
         return int(self.region.max(initial=-1)) + 1
 
     def count(self, flag: Flag) -> int:
@@ -181,7 +181,7 @@ def _single(seen: Observation, scene: Scene) -> Densities:
         return opacity / (length * G_CM2_PER_M_WATER_EQUIVALENT)
 
     none = rock & (seen.value == 0)
-    down, up = _with_model(seen.ln_down, seen.ln_up, scene.model_uncertainty)
+    down, up = with_model(seen.ln_down, seen.ln_up, scene.model_uncertainty)
     # A limit holds for the flux of the least favourable model.
     limit = density_at(np.where(none, seen.limit * np.exp(scene.model_uncertainty), np.nan))
     density = np.where(none, limit, density_at(seen.value))
@@ -195,8 +195,8 @@ def _merged(seen: Observation, scene: Scene, minimum_counts: float) -> Densities
     rock = scene.rock & np.isfinite(seen.value)
     counts = np.zeros(rock.shape) if seen.counts is None else seen.counts
     region = merge_pixels(np.where(rock, counts, 0.0), rock, minimum_counts)
-    total, density_for = _pooled(seen, scene, region)
-    down, up = _with_model(*logarithmic_errors(*total), scene.model_uncertainty)
+    total, density_for = pooled(seen, scene, region)
+    down, up = with_model(*logarithmic_errors(*total), scene.model_uncertainty)
     ends = [density_for(total[0] * np.exp(shift)) for shift in (np.zeros_like(up), up, -down)]
     if not total[0].any() and rock.any():
         # A picture without any muon is one region, and its density has a limit.
@@ -207,10 +207,18 @@ def _merged(seen: Observation, scene: Scene, minimum_counts: float) -> Densities
     return _flagged(seen, scene, density, lower, upper, none, region)
 
 
-def _pooled(
+def pooled(
     seen: Observation, scene: Scene, region: np.ndarray
 ) -> tuple[tuple[np.ndarray, ...], Callable[[np.ndarray], np.ndarray]]:
-    """Return the counts of regions (and of the open sky), and their density for given counts."""
+    """Return the counts of regions (and of the open sky), and their density for given counts.
+
+    Parameters
+    ----------
+    seen, scene
+        What was measured, as counts, and where.
+    region
+        (n_elevation, n_azimuth) number of each pixel's region from 0, −1 for none.
+    """
     inside = region >= 0
     label, number = region[inside], int(region.max(initial=-1)) + 1
     exposure = seen.exposure / seen.unit_flux(scene.physics, scene.altitude_m)
@@ -231,10 +239,18 @@ def _pooled(
     return tuple(np.bincount(label, kind[inside], number) for kind in kinds), density_for
 
 
-def _with_model(
+def with_model(
     down: np.ndarray, up: np.ndarray, uncertainty: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return errors in ln I with the model's in quadrature; the model's alone if unknown."""
+    """Return errors in ln I with the model's in quadrature; the model's alone if unknown.
+
+    Parameters
+    ----------
+    down, up
+        Errors of the measurement, NaN where unknown.
+    uncertainty
+        Relative uncertainty of the flux model.
+    """
     if uncertainty <= 0:
         return down, up
     return (
@@ -262,68 +278,3 @@ def _flagged(
     nothing = (flags == Flag.SKY) | (flags == Flag.NOT_MEASURED)
     density, lower, upper = (np.where(nothing, np.nan, end) for end in (density, lower, upper))
     return Densities(density, (upper - lower) / 2.0, lower, upper, flags, region)
-
-
-@dataclass(frozen=True)
-class Mean:
-    """One density for all rock seen, with its errors, g/cm³; NaN where unknown."""
-
-    density: float
-    #: With the flux model's uncertainty, which does not average out.
-    error: float
-    #: From counting (or the errors given) alone.
-    statistical_error: float
-
-
-def mean_density(seen: Observation, scene: Scene, found: Densities) -> Mean:
-    """Return the one density that explains all pixels with rock.
-
-    For counts it lets through as many muons as were counted in all, pixels without a muon
-    included: choosing pixels by their counts, or weighting them by errors that follow from
-    their counts, would draw the mean to lower densities. For a flux or a transmission it is
-    the mean weighted by the inverse squares of the errors given.
-
-    Parameters
-    ----------
-    seen, scene
-        What was measured and where.
-    found
-        From `measure_density`.
-    """
-    uncertainty = scene.model_uncertainty
-    if seen.counts is None:
-        return _weighted_mean(seen, found, uncertainty)
-    rock = scene.rock & np.isfinite(seen.value)
-    if not rock.any():
-        return Mean(np.nan, np.nan, np.nan)
-    total, density_for = _pooled(seen, scene, np.where(rock, 0, -1))
-    errors = logarithmic_errors(*total)
-    halves = []
-    for down, up in (errors, _with_model(*errors, uncertainty)):
-        low, high = density_for(total[0] * np.exp(up)), density_for(total[0] * np.exp(-down))
-        halves.append(float((high - low)[0]) / 2.0)
-    return Mean(float(density_for(total[0])[0]), halves[1], halves[0])
-
-
-def _weighted_mean(seen: Observation, found: Densities, uncertainty: float) -> Mean:
-    measured = found.flags == Flag.MEASURED
-    density = found.density[measured]
-    if not density.size:
-        return Mean(np.nan, np.nan, np.nan)
-    statistical = np.nan_to_num((seen.ln_down + seen.ln_up)[measured] / 2.0, posinf=np.inf)
-    whole = np.hypot(statistical, uncertainty)
-    # The part of each density error that the errors given, and the model, stand for.
-    share = np.where(whole > 0, statistical / np.where(whole > 0, whole, 1.0), 0.0)
-    error = found.error[measured]
-    sigma = error * share
-    usable = np.isfinite(sigma) & (sigma > 0)
-    if not usable.any():
-        model = float(np.nanmean(error)) if np.isfinite(error).any() else np.nan
-        return Mean(float(density.mean()), model, np.nan)
-    weight = 1.0 / sigma[usable] ** 2
-    weight_sum = float(weight.sum())
-    own = float(weight_sum**-0.5)
-    model = float(np.sum(weight * error[usable] * np.sqrt(1.0 - share[usable] ** 2)) / weight_sum)
-    return Mean(
-        float(np.sum(weight * density[usable]) / weight_sum), float(np.hypot(own, model)), own
-    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -32,6 +32,9 @@ _OBSTACLES = 150
 #: needs to carry one.
 _ROOM_IN = 0.12
 _SHORTEST_IN = 0.8
+
+#: Width (points) of white lines and letters with their dark edge.
+_EDGE_POINTS = 2.0
 
 #: By how much distances between labels count less along x and y: labels are
 #: longer than high, and slanted ones higher than a line of text.
@@ -93,7 +96,7 @@ def draw_contours(
         that is not known.
     scale
         Colours of the pixels; lines are black or white, whichever stands out. None for
-        lines over the pixels of another quantity, which are all dark.
+        lines over the pixels of another quantity, white with a dark edge.
     skyline
         From `draw_skyline`; labels keep away from it.
     inches_per_degree
@@ -109,21 +112,35 @@ def draw_contours(
         zenith,
         np.ma.masked_invalid(values),
         levels=levels,
-        colors=[style.INK if scale is None else ink_on(scale.to_rgba(level)) for level in levels],
+        colors=["white" if scale is None else ink_on(scale.to_rgba(level)) for level in levels],
         linewidths=style.THIN_LINE_WIDTH,
         zorder=2,
     )
+    if scale is None:
+        _add_edge(lines)
     obstacles = [directions.frame_deg, *(skyline.allsegs[0] if skyline else [])]
     target = np.reshape(directions.target_deg or [], (-1, 2))
     places = label_places(lines.allsegs, obstacles, target, inches_per_degree)
     if places:
-        axes.clabel(
+        labels = axes.clabel(
             lines,
             fontsize=style.CONTOUR_SIZE,
             fmt=lambda level: contour_label(level, muogram.kind),
             inline_spacing=2,
             manual=places,
         )
+        if scale is None:
+            for label in labels:
+                _add_edge(label)
+
+
+def _add_edge(drawn: Any) -> None:
+    """Give lines or text a dark edge, so that white stands out from any colour."""
+    from matplotlib.patheffects import withStroke
+
+    # Contour lines are one artist from matplotlib 3.8 on, and one a level before.
+    for artist in [drawn] if hasattr(drawn, "set_path_effects") else drawn.collections:
+        artist.set_path_effects([withStroke(linewidth=_EDGE_POINTS, foreground=style.INK)])
 
 
 def traced(

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import MuyscError
-from muysc_qgis.measurement.density import Flag, Scene, mean_density, measure_density
+from muysc_qgis.measurement.density import Flag, Scene, measure_density
+from muysc_qgis.measurement.mean import mean_density
 from muysc_qgis.measurement.observation import (
     check_transmission,
     from_count_ratio,

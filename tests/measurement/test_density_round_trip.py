@@ -6,10 +6,10 @@ import pytest
 from muysc_qgis.measurement.density import (
     Flag,
     Scene,
-    mean_density,
     measure_density,
     model_densities,
 )
+from muysc_qgis.measurement.mean import mean_density
 from muysc_qgis.measurement.observation import from_count_ratio, from_counts, from_values
 from muysc_qgis.measurement.uniform import uniform_density
 from muysc_qgis.radiography.settings import Physics
@@ -180,10 +180,12 @@ def test_the_uncertainty_of_the_model_adds_in_quadrature_and_stays_in_the_mean()
     ratio = np.hypot(counts**-0.5, 0.1, where=enough, out=np.ones_like(counts)) * np.sqrt(counts)
     rock = scene().rock & enough
     np.testing.assert_allclose((whole / plain)[rock], ratio[rock], rtol=0.01)
-    assert uncertain.density == mean.density
-    assert uncertain.statistical_error == mean.error
-    # The flux falls with a power of 1 to 4 of the density: 10 % of it are 2.5 to 10 % of that.
-    assert 0.025 * DENSITY < uncertain.error < 0.1 * DENSITY
+    for one in (mean, uncertain):
+        assert abs(one.density - DENSITY) < 3 * one.statistical_error
+    assert uncertain.statistical_error >= mean.error == mean.statistical_error
+    # The flux falls with a power of 1 to 4 of the density: 10 % of it are 2.5 to 10 % of that,
+    # and thick rock, where the power is large, has the more weight.
+    assert 0.025 * DENSITY < uncertain.error < 0.06 * DENSITY
 
 
 def test_merged_pixels_share_the_density_that_explains_their_counts():
