@@ -14,11 +14,11 @@ unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint qgis bench package clean packages development-packages
+.PHONY: help demo test lint qgis bench reference validation package clean packages development-packages
 
 help: ## Show this list
 	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/^([a-z]+):.*## /\1\t/' \
-		| while IFS=$$'\t' read -r name what; do printf '  make %-9s %s\n' "$$name" "$$what"; done
+		| while IFS=$$'\t' read -r name what; do printf '  make %-10s %s\n' "$$name" "$$what"; done
 
 demo: packages ## Simulate a muogram of Vesuvius from the command line, into build/demo
 	@$(PYTHON) tools/demo.py
@@ -37,6 +37,12 @@ qgis: packages ## Open QGIS with the plugin and Vesuvius, in a profile of its ow
 bench: .venv/ready ## Measure time and memory, side by side with other codes
 	@for script in $(filter-out benchmarks/measure.py,$(wildcard benchmarks/*.py)); do \
 		PYTHONPATH="$(CURDIR)" $(VENV_PYTHON) "$$script" || exit; done
+
+reference: packages ## Write docs/algorithms.md from what the algorithms declare
+	@$(PYTHON) tools/make_reference.py
+
+validation: .venv/ready ## Compare our numbers with others', into build/validation and docs
+	@$(VENV_PYTHON) -m tools.validation
 
 package: ## Pack the last commit as a zip that QGIS installs, into build
 	@tools/package
