@@ -50,8 +50,8 @@ class Paths:
     tangents: tuple[np.ndarray, np.ndarray] | None
 
 
-def reach_m(frame: LocalFrame, eye_m: float, lowest_tangent: float) -> float:
-    """Return a distance (m) beyond which no ray can meet terrain.
+def reach_m(frame: LocalFrame, eye_m: float, lowest_tangent: np.ndarray | float) -> np.ndarray:
+    """Return the distances (m) beyond which no ray can meet terrain.
 
     That is the DEM's farthest edge, or where the lowest ray has climbed above
     any mountain on Earth.
@@ -63,7 +63,7 @@ def reach_m(frame: LocalFrame, eye_m: float, lowest_tangent: float) -> float:
     eye_m
         Height of the detector, in the DEM's heights.
     lowest_tangent
-        Tangent of the lowest elevation angle.
+        Tangents of the lowest elevation angles, any shape.
     """
     dem = frame.dem
     across = np.linspace(0, dem.columns - 1, 17)
@@ -78,14 +78,14 @@ def reach_m(frame: LocalFrame, eye_m: float, lowest_tangent: float) -> float:
     radius = frame.radius_m
     # climb = s t + s²/2R, solved for s.
     cleared = radius * (np.sqrt(lowest_tangent**2 + 2 * climb / radius) - lowest_tangent)
-    return float(min(farthest * 1.01 + PATH_STEP_M, max(cleared, PATH_STEP_M)))
+    return np.clip(cleared, PATH_STEP_M, farthest * 1.01 + PATH_STEP_M)
 
 
 def lay_paths(
     frame: LocalFrame,
     azimuth_deg: np.ndarray,
     start_m: float,
-    reach: float,
+    reach: np.ndarray | float,
     max_range_m: float | None,
     tangents: tuple[np.ndarray, np.ndarray] | None = None,
 ) -> Paths:
@@ -100,7 +100,8 @@ def lay_paths(
     start_m
         Distance at which the paths begin.
     reach
-        Distance beyond which nothing matters, see `reach_m`.
+        Distance beyond which nothing matters, of all azimuths or (n_azimuth,) of
+        each, see `reach_m`.
     max_range_m
         Range set by the user, None for none.
     tangents
@@ -108,13 +109,20 @@ def lay_paths(
         between them meets the ground, pieces are level. None for all the detail.
     """
     dem = frame.dem
-    end = reach if max_range_m is None else min(reach, max_range_m)
+    end = float(np.max(reach))
+    if max_range_m is not None:
+        end = min(end, max_range_m)
     start = min(start_m, end)
-    knots = start + (end - start) * np.linspace(
-        0, 1, max(2, 1 + int(np.ceil((end - start) / PATH_STEP_M)))
+    # The same knots whatever the reach, so that no ray depends on the others.
+    knots = start + PATH_STEP_M * np.arange(2 + max(0, np.ceil((end - start) / PATH_STEP_M - 1)))
+    # A path ends past its reach; what comes then is as if it were off the DEM.
+    azimuth = np.asarray(azimuth_deg, float)
+    ray, knot = np.nonzero(
+        np.append(-np.inf, knots[:-1]) < np.broadcast_to(reach, azimuth.shape)[:, None]
     )
-    column, row = frame.ground_positions(np.asarray(azimuth_deg)[:, None], knots)
-    # Where the projection ends the path is off the DEM.
+    column, row = np.full((2, len(azimuth), len(knots)), np.nan)
+    column[ray, knot], row[ray, knot] = frame.ground_positions(azimuth[ray], knots[knot])
+    # So it is where the projection ends.
     off = ~(np.isfinite(column) & np.isfinite(row))
     column[off] = row[off] = np.nan
     if dem.wraps:
@@ -125,13 +133,11 @@ def lay_paths(
     )
     leaves = share < 1
     first = np.argmax(leaves, axis=1)
-    any_leaves = leaves.any(axis=1)
-    step = knots[1] - knots[0]
-    at_edge = knots[first] + step * share[np.arange(len(share)), first]
-    end_m = np.where(any_leaves, at_edge, end)
-    by_range = ~any_leaves & (max_range_m is not None and end == max_range_m)
-    range_m = np.where(by_range, end, np.inf)
-    return Paths(dem, np.asarray(azimuth_deg), knots, column, row, end_m, range_m, tangents)
+    at_edge = knots[first] + PATH_STEP_M * share[np.arange(len(share)), first]
+    leaves_m = np.where(leaves.any(axis=1), at_edge, np.inf)
+    end_m = np.minimum(leaves_m, end)
+    range_m = np.where((end_m == max_range_m) & (leaves_m >= end), end_m, np.inf)
+    return Paths(dem, azimuth, knots, column, row, end_m, range_m, tangents)
 
 
 def _share_inside(position: np.ndarray, last: int) -> np.ndarray:

@@ -65,31 +65,32 @@ def trace_terrain(
     elevation = np.asarray(elevation_deg, float)
     if elevation.ndim > 1:
         elevation = elevation[order]
-    reach = reach_m(frame, eye_m, float(np.tan(np.radians(elevation.min()))))
-    end = reach if max_range_m is None else min(reach, max_range_m)
+    tangent = np.tan(np.radians(elevation))
+    lowest = np.broadcast_to(tangent.min(axis=-1), azimuth.shape)
+    highest = np.broadcast_to(tangent.max(axis=-1), azimuth.shape)
+    reach = reach_m(frame, eye_m, lowest)
+    end = float(reach.max()) if max_range_m is None else min(float(reach.max()), max_range_m)
 
-    def trace(chosen: slice | np.ndarray, level: bool, progress: Progress) -> RockPaths:
+    def trace(chosen: np.ndarray, level: bool, progress: Progress) -> RockPaths:
         """Trace the rays of some azimuths, over level ground where they meet none."""
-        towards = azimuth[chosen]
         own = elevation if elevation.ndim == 1 else elevation[chosen]
-        tangent = np.tan(np.radians(own))
-        lowest = np.broadcast_to(tangent.min(axis=-1), towards.shape)
-        highest = np.broadcast_to(tangent.max(axis=-1), towards.shape)
-        range_m = np.full(len(towards), np.inf)  # known when the paths are laid
+        range_m = np.full(len(chosen), np.inf)  # known when the paths are laid
 
         def blocks() -> Iterator[ProfilePieces]:
-            for run in azimuth_runs(len(towards), end):
-                rays = (lowest[run], highest[run]) if level else None
-                paths = lay_paths(frame, towards[run], near_field_m, reach, max_range_m, rays)
+            for run in azimuth_runs(len(chosen), end):
+                rays = chosen[run]
+                tangents = (lowest[rays], highest[rays]) if level else None
+                paths = lay_paths(
+                    frame, azimuth[rays], near_field_m, reach[rays], max_range_m, tangents
+                )
                 range_m[run] = paths.range_m
-                done = part(progress, run.start / len(towards), run.stop / len(towards))
-                everyone = slice(0, run.stop - run.start)
-                for pieces in profile_pieces(paths, everyone, eye_m, frame, done):
+                done = part(progress, run.start / len(chosen), run.stop / len(chosen))
+                for pieces in profile_pieces(paths, slice(0, len(rays)), eye_m, frame, done):
                     yield replace(pieces, ray=pieces.ray + run.start)
 
         return rock_along_rays(blocks(), own, range_m)
 
-    rock = trace(slice(None), True, progress)
+    rock = trace(np.arange(len(azimuth)), True, progress)
     names = [field.name for field in fields(RockPaths)]
     doubtful = np.flatnonzero((rock.outcome == Outcome.NO_DATA).any(axis=1))
     if doubtful.size:
