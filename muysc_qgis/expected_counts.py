@@ -11,10 +11,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .errors import MuyscError
 from .progress import Progress, part, report, silent
 from .radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from .radiography.counting import check_positive, exposure_days, feasibility_days
 from .radiography.raytracing import Outcome, RockPaths
 from .radiography.settings import Physics
 from .radiography.transmission import Attenuation, attenuate
@@ -24,10 +22,17 @@ from .simulation import (
     describe_physics,
     terrain_warnings,
 )
-from .telescope.acceptance import Trajectories, trajectories
+from .telescope.acceptance import trajectories
 from .telescope.directions import Pointing
 from .telescope.geometry import TelescopeGeometry
 from .telescope.merging import check_merge, merge_sum, merged_offsets
+from .telescope.planning import (
+    ON_REQUEST,
+    PROBE,
+    CountingPlan,
+    merged_bins,
+    planned_quantities,
+)
 from .telescope.quadrature import corner_tangents, trajectory_means
 from .telescope.sky_table import (
     FINE_ROWS,
@@ -38,86 +43,15 @@ from .telescope.sky_table import (
     abrupt_steps,
     grid_around,
 )
-from .telescope.statistics import days_for_contrast, significant_excess
 from .topography.sight import Sight
 from .topography.tracing import trace_terrain
 from .trajectories import TrajectoryMap, describe_telescope
-
-#: How the days for a contrast are computed.
-STATISTICS = ("poisson", "lesparre")
-
-#: Quantities that are always there, and those computed only where wanted.
-ALWAYS = (
-    "counts", "open_sky_counts", "relative_error", "exposure", "flux", "thickness", "acceptance",
-)  # fmt: skip
-ON_REQUEST = ("density_resolution", "contrast_days")
-
-#: Relative change of the density that tells how steeply the flux falls with it.
-_PROBE = 0.02
 
 #: Share of a trajectory's response behind rock from which it counts as rock.
 _HALF = 0.5
 
 #: Share of the progress bar when all rays are traced.
 _TRACED = 0.6
-
-
-@dataclass(frozen=True)
-class CountingPlan:
-    """How long to count, and what is to be seen.
-
-    Parameters
-    ----------
-    days
-        Time of counting.
-    muons
-        Muons wanted along each trajectory, for the exposure time.
-    sigma
-        Significance in standard deviations with which a contrast is to be seen.
-    contrast_percent
-        Change of the density along the whole path to be seen, above −100 and not 0.
-    merge
-        Odd number of trajectories along a side that are taken together.
-    efficiency
-        Share of the muons through the telescope that it records.
-    statistics
-        One of `STATISTICS`: exact Poisson, or the feasibility formula of Lesparre.
-    rays_per_bar
-        Rays along a side for each step between two trajectories.
-
-    Raises
-    ------
-    MuyscError
-        If a value cannot be used.
-    """
-
-    days: float = 30.0
-    muons: float = 10.0
-    sigma: float = 3.0
-    contrast_percent: float = -10.0
-    merge: int = 1
-    efficiency: float = 1.0
-    statistics: str = "poisson"
-    rays_per_bar: float = 3.0
-
-    def __post_init__(self) -> None:
-        check_positive(self.days, "number of days")
-        check_positive(self.muons, "number of muons")
-        check_positive(self.sigma, "significance in standard deviations")
-        if not -100 < self.contrast_percent < np.inf or self.contrast_percent == 0:
-            raise MuyscError(
-                f"A density contrast of {self.contrast_percent:g} % cannot be seen or cannot be; "
-                "give a percentage above −100 that is not 0, negative for lighter rock."
-            )
-        if not 0 < self.efficiency <= 1:
-            raise MuyscError(
-                f"An efficiency of {self.efficiency:g} is impossible; give a share above 0 and "
-                "up to 1."
-            )
-        if self.statistics not in STATISTICS:
-            raise MuyscError(
-                f"There are no statistics “{self.statistics}”; use {' or '.join(STATISTICS)}."
-            )
 
 
 @dataclass(frozen=True)
@@ -229,7 +163,7 @@ def expected_counts(
     altitude = sight.detector_elevation_m if physics.altitude_correction else 0.0
     changes = [1.0]
     if "density_resolution" in wanted:
-        changes.append(1.0 - _PROBE)
+        changes.append(1.0 - PROBE)
     if "contrast_days" in wanted:
         changes.append(1.0 + plan.contrast_percent / 100)
     thickness, sky = rock.thickness_m.T, rock.thickness_m.T == 0
@@ -255,8 +189,8 @@ def expected_counts(
     means = trajectory_means(geometry, table, rough)
     report(progress, 0.9)
     collected = trajectories(geometry, formula)
-    bins = _merged(means, collected, plan)
-    values = _quantities(bins, len(logarithmic), plan, wanted)
+    bins = merged_bins(means, collected, plan)
+    values = planned_quantities(bins, len(logarithmic), plan, wanted)
     report(progress, 1.0)
     metadata = {
         **describe(sight, max_range_m, near_field_m),
@@ -313,78 +247,6 @@ def _fluxes(
 def _layers(thickness_m: np.ndarray, logarithmic: np.ndarray) -> Layers:
     sky = thickness_m == 0
     return Layers(sky, logarithmic, np.stack([thickness_m, np.where(sky, 0.0, 1.0)]))
-
-
-@dataclass(frozen=True)
-class _Bins:
-    """Acceptances added up, and means weighted with them, (n_y, n_x) each."""
-
-    acceptance_cm2_sr: np.ndarray
-    means: np.ndarray
-
-
-def _merged(means: np.ndarray, collected: Trajectories, plan: CountingPlan) -> _Bins:
-    acceptance = merge_sum(collected.acceptance_cm2_sr, plan.merge)
-    summed = merge_sum(means * collected.acceptance_cm2_sr, plan.merge)
-    return _Bins(acceptance, summed / acceptance)
-
-
-def _quantities(
-    bins: _Bins, fluxes: int, plan: CountingPlan, wanted: tuple[str, ...]
-) -> dict[str, np.ndarray]:
-    """Return the values of every quantity by name."""
-    acceptance = bins.acceptance_cm2_sr
-    effective = acceptance * plan.efficiency
-    flux, open_sky, *changed = bins.means[:fluxes]
-    thickness, share = bins.means[fluxes:]
-    rate = flux * effective
-    counts = rate * plan.days
-    values = {
-        "counts": counts,
-        "open_sky_counts": open_sky * effective * plan.days,
-        "relative_error": 100 / np.sqrt(np.where(counts > 0, counts, np.nan)),
-        "exposure": exposure_days(flux, effective, plan.muons),
-        "flux": flux,
-        "thickness": thickness,
-        "acceptance": acceptance,
-    }
-    rock = share > 0
-    if "density_resolution" in wanted:
-        lighter = changed.pop(0)
-        values["density_resolution"] = np.where(
-            rock, 100 * smallest_contrast(counts, flux, lighter, plan.sigma), np.nan
-        )
-    if "contrast_days" in wanted:
-        if plan.statistics == "poisson":
-            days = days_for_contrast(rate, changed.pop(0) * effective, plan.sigma)
-        else:
-            days = feasibility_days(flux, changed.pop(0), effective, plan.sigma)
-        values["contrast_days"] = np.where(rock & np.isfinite(days), days, np.nan)
-    return values
-
-
-def smallest_contrast(
-    counts: np.ndarray, flux: np.ndarray, lighter_flux: np.ndarray, sigma: float
-) -> np.ndarray:
-    """Return the smallest decrease of the mean density that counts show, as a share.
-
-    The counts have to reach the exact Poisson excess n of `significant_excess`; the flux
-    goes as a power s of the density, I ∝ ρ^s, so that the density is less by
-    1 − (n/N)^(1/s). For many counts it is σ/(|s| √N).
-
-    Parameters
-    ----------
-    counts
-        Counts N expected without the contrast.
-    flux, lighter_flux
-        Muon flux, and the flux with the density less by the share `_PROBE`.
-    sigma
-        Significance in standard deviations.
-    """
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        slope = np.log(lighter_flux / flux) / np.log(1 - _PROBE)
-        contrast = 1 - (significant_excess(counts, sigma) / counts) ** (1 / slope)
-    return np.where(slope < 0, contrast, np.nan)
 
 
 def _unknown(

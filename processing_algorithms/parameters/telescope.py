@@ -10,10 +10,10 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
 )
 
-from ...muysc_qgis.expected_counts import STATISTICS, CountingPlan
 from ...muysc_qgis.telescope.acceptance import FORMULAS
 from ...muysc_qgis.telescope.directions import Pointing
 from ...muysc_qgis.telescope.geometry import MAXIMUM_BARS, TelescopeGeometry
+from ...muysc_qgis.telescope.planning import STATISTICS, CountingPlan
 from ...muysc_qgis.telescope.presets import CUSTOM, PRESETS, telescope_of
 from ...muysc_qgis.topography.sight import Sight
 from .values import choice, number, read_choice, read_count, read_number
