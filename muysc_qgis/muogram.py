@@ -19,8 +19,41 @@ DOMAIN = "MUYSC"
 _AXIS_TOLERANCE = 1e-6
 
 
+class Described:
+    """What a raster of one quantity says about itself."""
+
+    quantity: str
+    metadata: Mapping[str, str | float]
+
+    @property
+    def kind(self) -> Quantity:
+        """Title, unit and colours of the quantity."""
+        return QUANTITIES[self.quantity]
+
+    def number(self, key: str) -> float:
+        """Return a metadata entry as a number.
+
+        Raises
+        ------
+        MuyscError
+            If the entry is missing or no number.
+        """
+        try:
+            return float(self.metadata[key])
+        except KeyError:
+            raise MuyscError(
+                f"The {self.quantity} muogram lacks the metadata key {key} (domain "
+                f"{DOMAIN}); make it with a MUYSC algorithm or set the key."
+            ) from None
+        except ValueError:
+            raise MuyscError(
+                f"The metadata key {key} of the {self.quantity} muogram is "
+                f"“{self.metadata[key]}”, which is not a number; set it to one."
+            ) from None
+
+
 @dataclass(frozen=True)
-class Muogram:
+class Muogram(Described):
     """Values of one quantity on a regular grid of ray directions.
 
     Parameters
@@ -65,32 +98,6 @@ class Muogram:
                 f"The muogram has {self.values.shape} values for {shape} directions "
                 "(elevations, azimuths); give one value for each direction."
             )
-
-    @property
-    def kind(self) -> Quantity:
-        """Title, unit and colours of the quantity."""
-        return QUANTITIES[self.quantity]
-
-    def number(self, key: str) -> float:
-        """Return a metadata entry as a number.
-
-        Raises
-        ------
-        MuyscError
-            If the entry is missing or no number.
-        """
-        try:
-            return float(self.metadata[key])
-        except KeyError:
-            raise MuyscError(
-                f"The {self.quantity} muogram lacks the metadata key {key} (domain "
-                f"{DOMAIN}); make it with a MUYSC algorithm or set the key."
-            ) from None
-        except ValueError:
-            raise MuyscError(
-                f"The metadata key {key} of the {self.quantity} muogram is "
-                f"“{self.metadata[key]}”, which is not a number; set it to one."
-            ) from None
 
     def with_values(self, quantity: str, values: np.ndarray, **metadata: str | float) -> Muogram:
         """Return another quantity on the same directions, `metadata` added."""

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from .errors import MuyscError
-from .muogram import Grid, Muogram, read_grid, read_muogram, write_grid
-from .quantities import QUANTITIES, Quantity
+from .muogram import Described, Grid, Muogram, read_grid, read_muogram, write_grid
+from .quantities import QUANTITIES
 from .telescope.acceptance import Trajectories
 from .telescope.directions import Pointing
 from .telescope.geometry import TelescopeGeometry
@@ -21,7 +21,7 @@ TANGENT = "tangent"
 
 
 @dataclass(frozen=True)
-class TrajectoryMap:
+class TrajectoryMap(Described):
     """Values of one quantity on the evenly spaced tangents of a telescope.
 
     The trajectory with the tangents x and y runs along b + x r + y u, with the boresight
@@ -64,11 +64,6 @@ class TrajectoryMap:
                 f"The raster has {self.values.shape} values for {(len(self.y), len(self.x))} "
                 "trajectories (up, right); give one value for each."
             )
-
-    @property
-    def kind(self) -> Quantity:
-        """Title, unit and colours of the quantity."""
-        return QUANTITIES[self.quantity]
 
     @property
     def pointing(self) -> Pointing:

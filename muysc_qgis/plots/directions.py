@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import MuyscError
-from ..muogram import Muogram
+from ..muogram import Described, Muogram
 
 #: How the values of FLUX_MODEL and ENERGY_LOSS are written in text.
 _NAMES = {
@@ -88,7 +88,7 @@ class Directions:
         )
 
 
-def metadata_number(muogram: Muogram, key: str) -> float | None:
+def metadata_number(muogram: Described, key: str) -> float | None:
     """Return a metadata entry as a finite number, None if it is not one."""
     try:
         value = muogram.number(key)
@@ -140,7 +140,7 @@ def even_picture(picture: np.ndarray, directions: Directions) -> np.ndarray:
     return picture
 
 
-def describe(muogram: Muogram) -> list[str]:
+def describe(muogram: Described) -> list[str]:
     """Return what the metadata says, a line on the place and one on the physics."""
     place = [_detector(muogram), _target(muogram)]
     physics = [
@@ -155,7 +155,7 @@ def describe(muogram: Muogram) -> list[str]:
     return [line[0].upper() + line[1:] for line in lines if line]
 
 
-def _detector(muogram: Muogram) -> str:
+def _detector(muogram: Described) -> str:
     longitude = metadata_number(muogram, "DETECTOR_LON")
     latitude = metadata_number(muogram, "DETECTOR_LAT")
     elevation = metadata_number(muogram, "DETECTOR_ELEVATION")
@@ -170,7 +170,7 @@ def _detector(muogram: Muogram) -> str:
     return f"detector {', '.join(parts)}" if parts else ""
 
 
-def _target(muogram: Muogram) -> str:
+def _target(muogram: Described) -> str:
     distance = metadata_number(muogram, "TARGET_DISTANCE")
     azimuth = metadata_number(muogram, "BORESIGHT_AZIMUTH")
     elevation = metadata_number(muogram, "BORESIGHT_ELEVATION")
@@ -186,6 +186,6 @@ def _target(muogram: Muogram) -> str:
     return f"target {', '.join(parts)}" if parts else ""
 
 
-def _named(muogram: Muogram, key: str, what: str) -> str:
+def _named(muogram: Described, key: str, what: str) -> str:
     value = str(muogram.metadata.get(key, "")).strip()
     return f"{_NAMES.get(value, value)} {what}" if value else ""
