@@ -42,7 +42,8 @@ class LocalFrame:
 
     Positions are (azimuth, geodesic distance) from the origin: the azimuthal
     equidistant projection in polar form. Heights fall off by the curvature drop
-    d²/2R, so that straight rays are straight in the frame.
+    d²/2R, so that straight rays are straight in the frame. Distances are those on
+    the ellipsoid; at an altitude h they are longer by h/R, 0.08 % at 5 km.
     """
 
     #: Longitude and latitude of the origin in the DEM's datum, degrees.
