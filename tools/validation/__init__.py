@@ -1,0 +1,1 @@
+"""What the project's numbers were checked against, made by ``make validation``."""
