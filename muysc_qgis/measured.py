@@ -15,6 +15,7 @@ from .measurement.observation import (
 )
 from .muogram import Muogram
 from .quantities import ERROR_SUFFIX
+from .radiography.counting import check_positive
 
 #: Directions of two muograms may differ by this share of a pixel.
 _SAME_PIXEL = 1e-3
@@ -46,6 +47,13 @@ class Measurement:
     acceptance_cm2_sr: float | None = None
 
     def __post_init__(self) -> None:
+        for number, name in (
+            (self.days, "exposure in days"),
+            (self.open_sky_days, "exposure of the open sky in days"),
+            (self.acceptance_cm2_sr, "acceptance in cm² sr"),
+        ):
+            if number is not None:
+                check_positive(number, name)
         quantity = self.values.quantity
         if quantity not in ("counts", "flux", "transmission"):
             raise MuyscError(

@@ -9,7 +9,14 @@ import numpy as np
 
 from .errors import MuyscError
 from .measured import Measurement, metres_apart, require_quantity, require_same_directions
-from .measurement.density import Densities, Flag, Scene, measure_density, model_densities
+from .measurement.density import (
+    Densities,
+    Flag,
+    Scene,
+    check_uncertainty,
+    measure_density,
+    model_densities,
+)
 from .measurement.mean import Mean, mean_density
 from .measurement.observation import Observation, check_transmission, pixels
 from .muogram import Muogram
@@ -54,6 +61,7 @@ class DensityChoices:
     model_spread: bool = False
 
     def __post_init__(self) -> None:
+        check_uncertainty(self.model_uncertainty)
         if not 0 <= self.minimum_counts < np.inf:
             raise MuyscError(
                 f"A minimum of {self.minimum_counts:g} counts cannot be reached; give 0 or more."

@@ -100,16 +100,27 @@ class Scene:
                 f"The thickness is negative or infinite in {pixels(bad.size)}, such as "
                 f"{bad[0]:g} m; give 0 for the sky and no-data where unknown."
             )
-        if not 0 <= self.model_uncertainty < _MAXIMUM_UNCERTAINTY:
-            raise MuyscError(
-                f"A flux-model uncertainty of {100 * self.model_uncertainty:g} % cannot be used; "
-                f"give one from 0 to below {100 * _MAXIMUM_UNCERTAINTY:g} %."
-            )
+        check_uncertainty(self.model_uncertainty)
 
     @property
     def rock(self) -> np.ndarray:
         """(n_elevation, n_azimuth), where there is rock above the horizon."""
         return (self.thickness_m > 0) & (self.elevation_deg > 0)
+
+
+def check_uncertainty(share: float) -> None:
+    """Refuse an uncertainty of the flux model that is no share of the flux.
+
+    Raises
+    ------
+    MuyscError
+        If it is not from 0 to below 1.
+    """
+    if not 0 <= share < _MAXIMUM_UNCERTAINTY:
+        raise MuyscError(
+            f"A flux-model uncertainty of {100 * share:g} % cannot be used; give one from 0 to "
+            f"below {100 * _MAXIMUM_UNCERTAINTY:g} %."
+        )
 
 
 def measure_density(seen: Observation, scene: Scene, minimum_counts: float = 0.0) -> Densities:
