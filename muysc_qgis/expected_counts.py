@@ -27,6 +27,7 @@ from .telescope.directions import Pointing
 from .telescope.geometry import TelescopeGeometry
 from .telescope.merging import check_merge, merge_sum, merged_offsets
 from .telescope.planning import (
+    HALF,
     ON_REQUEST,
     PROBE,
     CountingPlan,
@@ -46,9 +47,6 @@ from .telescope.sky_table import (
 from .topography.sight import Sight
 from .topography.tracing import trace_terrain
 from .trajectories import TrajectoryMap, describe_telescope
-
-#: Share of a trajectory's response behind rock from which it counts as rock.
-_HALF = 0.5
 
 #: Share of the progress bar when all rays are traced.
 _TRACED = 0.6
@@ -80,7 +78,7 @@ class TelescopeCounts:
     @property
     def behind_rock(self) -> np.ndarray:
         """(n_y, n_x), true where most of the response is behind rock, and counts are known."""
-        return np.asarray(self.rock_share > _HALF) & np.isfinite(self.maps["counts"].values)
+        return np.asarray(self.rock_share > HALF) & np.isfinite(self.maps["counts"].values)
 
     @property
     def rock_trajectories(self) -> int:

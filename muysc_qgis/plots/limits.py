@@ -22,6 +22,13 @@ _DECADES_OF_DEPTH = 2.0
 #: skyline, where nothing is to be seen: their upper decades are kept.
 _DEPTHS = ("thickness", "opacity")
 
+#: What a telescope is to reach: the least is the best, and the lower decades are kept.
+_GOALS = ("relative_error", "density_resolution", "contrast_days")
+
+#: Counts of a whole picture, from the deepest rock to the sky: more decades, the upper.
+_COUNTS = ("counts", "open_sky_counts")
+_DECADES_OF_COUNTS = 5.0
+
 #: Logarithmic scales narrower than this ratio count as a single value.
 _SMALLEST_RATIO = 1.001
 
@@ -33,7 +40,8 @@ def colour_limits(values: np.ndarray, quantity: Quantity) -> tuple[float, float]
     looks at positive values only and spans at most three decades: the upper
     ones for the minimum energy, the middle ones for the others, so that
     neither the open sky nor the thickest rock uses up the scale. For thickness
-    and opacity it is the upper two decades.
+    and opacity it is the upper two decades, for counts the upper five, and for
+    errors and the time to see something the lower three.
 
     Parameters
     ----------
@@ -67,12 +75,15 @@ def _logarithmic(low: float, high: float, quantity: Quantity) -> tuple[float, fl
     if high < low * _SMALLEST_RATIO:
         return low / 10**0.5, high * 10**0.5
     depth = quantity.name in _DEPTHS
-    decades = _DECADES_OF_DEPTH if depth else _DECADES
+    counts = quantity.name in _COUNTS
+    decades = _DECADES_OF_DEPTH if depth else _DECADES_OF_COUNTS if counts else _DECADES
     excess = np.log10(high / low) - decades
     if excess <= 0:
         return low, high
-    if depth or quantity.name == "minimum_energy":
+    if depth or counts or quantity.name == "minimum_energy":
         return high / 10**decades, high
+    if quantity.name in _GOALS:
+        return low, low * 10**decades
     return float(low * 10 ** (excess / 2)), float(high / 10 ** (excess / 2))
 
 

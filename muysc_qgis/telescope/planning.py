@@ -18,6 +18,9 @@ STATISTICS = ("poisson", "lesparre")
 #: Quantities that are computed only where wanted: they need the flux at other densities.
 ON_REQUEST = ("density_resolution", "contrast_days")
 
+#: Share of a response behind rock from which a trajectory counts as rock.
+HALF = 0.5
+
 #: Relative change of the density that tells how steeply the flux falls with it.
 PROBE = 0.02
 
@@ -138,7 +141,7 @@ def planned_quantities(
         "thickness": thickness,
         "acceptance": acceptance,
     }
-    rock = share > 0
+    rock = share > HALF
     if "density_resolution" in wanted:
         lighter = changed.pop(0)
         values["density_resolution"] = np.where(

@@ -280,8 +280,8 @@ class SkyTable:
     def rough_cells(self, geometry: TelescopeGeometry) -> np.ndarray:
         """Return the cells between trajectories in which something changes abruptly.
 
-        Those that the border between rock and sky crosses, and those in which a
-        logarithmic quantity changes by more than a third from one ray to the next.
+        Those that the border between rock and sky crosses, or the horizon, and those in
+        which a logarithmic quantity changes by more than a third from one ray to the next.
 
         Returns
         -------
@@ -290,7 +290,10 @@ class SkyTable:
         """
         sky = self.coarse.sky
         beside = (sky[:, 1:] != sky[:, :-1]) | _jumps(self.coarse.logarithmic, axis=1)
-        rough = np.zeros((2 * geometry.bars_y, 2 * geometry.bars_x), dtype=bool)
+        _, height = self.pointing.sky(*np.meshgrid(*corner_tangents(geometry)))
+        below = height < LOWEST_DEG
+        rough = below[1:, 1:] != below[:-1, :-1]
+        rough |= below[1:, :-1] != below[:-1, 1:]
         azimuth, elevation = self.grid.azimuth_deg, self.grid.elevation_deg
         for (row, column), (down, right) in (
             (np.nonzero(beside), (0, 1)),

@@ -1,0 +1,192 @@
+"""One telescope beside those that were built."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..telescope.acceptance import Trajectories, trajectories
+from ..telescope.geometry import TelescopeGeometry
+from ..telescope.presets import PRESETS
+from . import style, ticks
+from .telescope_axes import place
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+#: Colours and line styles told apart with any colour vision (Okabe & Ito 2008).
+_LOOKS = (
+    ("#0072b2", "-"), ("#d55e00", "-"), ("#009e73", "-"), ("#cc79a7", "-"),
+    ("#56b4e9", (0, (5, 1.5))), ("#e69f00", (0, (5, 1.5))), ("#7f7f7f", (0, (5, 1.5))),
+    ("#8a5a00", (0, (1.5, 1.2))), ("#000000", "-"),
+)  # fmt: skip
+
+_HEIGHT = 8.1
+
+
+def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Figure:
+    """Return acceptances, shapes, resolutions and étendues of all telescopes.
+
+    Parameters
+    ----------
+    geometry
+        The telescope that is looked at.
+    name
+        Its preset; any other name adds it to the presets.
+    formula
+        One of `FORMULAS`.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    entries = {preset.title: preset.geometry for preset in PRESETS.values()}
+    chosen = PRESETS[name].title if name in PRESETS else "this telescope"
+    entries.setdefault(chosen, geometry)
+    collected = {title: trajectories(one, formula) for title, one in entries.items()}
+    looks = dict(zip(entries, _LOOKS))
+    title = "Telescopes compared"
+    lines = [
+        f"{chosen[0].upper()}{chosen[1:]} in bold  ·  "
+        + ("full integral over two pixels" if formula == "exact" else "formula of the paper")
+    ]
+    figure = style.new_figure(style.WIDTH_IN, _HEIGHT)
+    style.add_heading(figure, title, lines, 0.22)
+    _acceptances(place(figure, (0.75, 4.45, 4.1, 2.7)), collected, looks, chosen)
+    _shapes(place(figure, (5.15, 4.2, 4.7, 3.05)), entries, looks, chosen)
+    _resolutions(place(figure, (0.75, 0.6, 4.1, 2.9)), collected, looks, chosen)
+    _etendues(place(figure, (6.75, 0.6, 2.5, 2.9)), collected, looks, chosen)
+    return figure
+
+
+def _headed(axes: Axes, title: str) -> None:
+    axes.set_title(
+        title, fontsize=style.HEADING_SIZE, fontweight="bold", loc="left", color=style.INK
+    )
+    axes.grid(color="#e4e4e4", linewidth=0.5)
+    axes.set_axisbelow(True)
+    style.style_axes(axes)
+
+
+def _acceptances(
+    axes: Axes, collected: dict[str, Trajectories], looks: dict[str, tuple], chosen: str
+) -> None:
+    """Draw acceptance per solid angle, which tells telescopes of any bars apart."""
+    widest = 0.0
+    for title, one in collected.items():
+        geometry = one.geometry
+        middle = geometry.bars_y - 1
+        angle = np.degrees(np.arctan(geometry.step * geometry.offset_x))
+        area = one.acceptance_cm2_sr[middle] / (one.solid_angle_sr[middle] / 4)
+        colour, line = looks[title]
+        axes.plot(
+            angle, area / 1e4, color=colour, linestyle=line,
+            linewidth=2.4 if title == chosen else style.LINE_WIDTH, label=title,
+            zorder=4 if title == chosen else 2,
+        )  # fmt: skip
+        widest = max(widest, geometry.half_aperture_deg[0])
+    axes.set_xlim(-widest, widest)
+    axes.set_ylim(0, None)
+    positions = ticks.angle_ticks(-widest, widest, 8)
+    axes.set_xticks(positions, [ticks.number_label(float(tick)) for tick in positions])
+    axes.set_xlabel("Angle from the boresight (°)", fontsize=style.TEXT_SIZE, labelpad=2)
+    axes.set_ylabel("m²", fontsize=style.TEXT_SIZE, labelpad=2)
+    _headed(axes, "Effective area by direction")
+
+
+def _shapes(
+    axes: Axes, entries: dict[str, TelescopeGeometry], looks: dict[str, tuple], chosen: str
+) -> None:
+    """Draw every telescope from the side, all at one scale."""
+    columns = 3
+    wide = max(one.separation_cm for one in entries.values()) * 1.35
+    tall = max(one.bars_y * one.pixel_size_cm for one in entries.values()) * 1.55
+    for number, (title, one) in enumerate(entries.items()):
+        row, column = divmod(number, columns)
+        x, y = column * wide, -row * tall
+        half = one.bars_y * one.pixel_size_cm / 2
+        colour = looks[title][0]
+        for distance in np.linspace(0, one.separation_cm, one.planes):
+            axes.plot([x + distance] * 2, [y - half, y + half], color=colour, linewidth=2.6,
+                      solid_capstyle="butt", zorder=3)  # fmt: skip
+        for sign in (-1, 1):
+            axes.plot([x, x + one.separation_cm], [y - sign * half, y + sign * half],
+                      color=colour, linewidth=0.7, zorder=2)  # fmt: skip
+        axes.text(
+            x, y + tall * 0.36, title, fontsize=style.TICK_SIZE, color=style.INK,
+            fontweight="bold" if title == chosen else "normal", va="bottom", ha="left",
+        )  # fmt: skip
+        axes.text(
+            x, y - half - 0.03 * tall,
+            f"{one.bars_x} × {one.bars_y} × {ticks.number_label(one.pixel_size_cm)} cm",
+            fontsize=style.CONTOUR_SIZE, color=style.MUTED, va="top", ha="left",
+        )  # fmt: skip
+    rows = -(-len(entries) // columns)
+    axes.plot([2 * wide, 2 * wide + 100], [-(rows - 0.42) * tall] * 2, color=style.INK,
+              linewidth=1.5)  # fmt: skip
+    axes.text(2 * wide + 110, -(rows - 0.42) * tall, "1 m", fontsize=style.TICK_SIZE, va="center",
+              color=style.INK)  # fmt: skip
+    axes.set_xlim(-0.05 * wide, columns * wide)
+    axes.set_ylim(-(rows - 0.35) * tall, 0.62 * tall)
+    axes.set_aspect("equal")
+    axes.axis("off")
+    axes.set_title(
+        "From the side, at one scale", fontsize=style.HEADING_SIZE, fontweight="bold", loc="left",
+        color=style.INK,
+    )  # fmt: skip
+
+
+def _resolutions(
+    axes: Axes, collected: dict[str, Trajectories], looks: dict[str, tuple], chosen: str
+) -> None:
+    """Draw what a trajectory collects against how finely it looks."""
+    for title, one in collected.items():
+        x, y = one.angular_resolution_mrad.max(), one.acceptance_cm2_sr.max()
+        axes.plot(
+            [x], [y], marker="o", markersize=10 if title == chosen else 7, linestyle="none",
+            color=looks[title][0], zorder=3, clip_on=False,
+        )  # fmt: skip
+        axes.annotate(
+            title, (x, y), xytext=(7, -2), textcoords="offset points", fontsize=style.TICK_SIZE,
+            fontweight="bold" if title == chosen else "normal", color=style.INK, va="top",
+        )  # fmt: skip
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    for limits, setter, place_ticks in (
+        (axes.get_xlim(), axes.set_xlim, axes.set_xticks),
+        (axes.get_ylim(), axes.set_ylim, axes.set_yticks),
+    ):
+        low, high = limits[0] / 1.15, limits[1] * (1.7 if setter == axes.set_xlim else 1.15)
+        setter(low, high)
+        positions = ticks.logarithmic_ticks(low, high)
+        place_ticks(positions, [ticks.number_label(float(tick)) for tick in positions])
+    axes.minorticks_off()
+    axes.set_xlabel("Angular resolution, full width (mrad)", fontsize=style.TEXT_SIZE, labelpad=2)
+    axes.set_ylabel("cm² sr", fontsize=style.TEXT_SIZE, labelpad=2)
+    _headed(axes, "Largest acceptance of a trajectory")
+
+
+def _etendues(
+    axes: Axes, collected: dict[str, Trajectories], looks: dict[str, tuple], chosen: str
+) -> None:
+    """Draw étendues as bars with the half aperture beside each."""
+    order = sorted(collected, key=lambda title: collected[title].etendue_cm2_sr)
+    values = [collected[title].etendue_cm2_sr / 1e4 for title in order]
+    bars = axes.barh(range(len(order)), values, color=[looks[title][0] for title in order])
+    for title, bar, value in zip(order, bars, values):
+        angle = collected[title].geometry.half_aperture_deg[0]
+        axes.annotate(
+            f"{value:.3g} m² sr, ±{angle:.0f}°", (value, bar.get_y() + bar.get_height() / 2),
+            xytext=(4, 0), textcoords="offset points", va="center", fontsize=style.TICK_SIZE,
+            color=style.INK, annotation_clip=False,
+        )  # fmt: skip
+    axes.set_yticks(range(len(order)), order)
+    axes.set_xlim(0, 1.25 * max(values))
+    axes.set_xlabel("m² sr", fontsize=style.TEXT_SIZE, labelpad=2)
+    _headed(axes, "Étendue and half aperture")
+    for label, title in zip(axes.get_yticklabels(), order):
+        label.set_fontweight("bold" if title == chosen else "normal")
+    axes.grid(axis="y", visible=False)
