@@ -7,13 +7,13 @@ import re
 
 import pytest
 
-from tools.validation import mulder_rows, physics_rows, table, terrain_rows
+from tools.validation import mulder_rows, table
 from tools.validation.row import Row, number
 
 
 @pytest.fixture(scope="module")
 def rows():
-    return [*terrain_rows.rows(), *physics_rows.rows()]
+    return table.own_rows()
 
 
 @pytest.fixture(scope="module")

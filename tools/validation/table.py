@@ -7,7 +7,7 @@ import io
 from collections.abc import Iterable
 from pathlib import Path
 
-from . import mulder_rows, physics_rows, terrain_rows
+from . import mulder_rows, physics_rows, shape_rows, terrain_rows
 from .row import Row
 
 DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "physics.md"
@@ -18,7 +18,12 @@ HEADER = ("Quantity", "Ours", "Reference", "Difference", "Source of the referenc
 
 def all_rows() -> list[Row]:
     """Compute every row; those against mulder only where it is installed."""
-    return [*terrain_rows.rows(), *physics_rows.rows(), *mulder_rows.rows()]
+    return [*own_rows(), *mulder_rows.rows()]
+
+
+def own_rows() -> list[Row]:
+    """Compute every row that needs no other code."""
+    return [*shape_rows.rows(), *terrain_rows.rows(), *physics_rows.rows()]
 
 
 def line(row: Row) -> str:
