@@ -10,7 +10,7 @@ from ..telescope.acceptance import Trajectories, trajectories
 from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
 from . import style, ticks
-from .telescope_axes import place
+from .telescope_axes import place, write_heading
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -54,9 +54,9 @@ def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Fi
         + ("full integral over two pixels" if formula == "exact" else "formula of the paper")
     ]
     figure = style.new_figure(style.WIDTH_IN, _HEIGHT)
-    style.add_heading(figure, title, lines, 0.22)
+    write_heading(figure, title, lines, 0.22)
     _acceptances(place(figure, (0.75, 4.45, 4.1, 2.7)), collected, looks, chosen)
-    _shapes(place(figure, (5.15, 4.2, 4.7, 3.05)), entries, looks, chosen)
+    _shapes(place(figure, (5.15, 4.15, 4.75, 3.0)), entries, looks, chosen)
     _resolutions(place(figure, (0.75, 0.6, 4.1, 2.9)), collected, looks, chosen)
     _etendues(place(figure, (6.75, 0.6, 2.5, 2.9)), collected, looks, chosen)
     return figure
@@ -101,9 +101,9 @@ def _shapes(
     axes: Axes, entries: dict[str, TelescopeGeometry], looks: dict[str, tuple], chosen: str
 ) -> None:
     """Draw every telescope from the side, all at one scale."""
-    columns = 3
-    wide = max(one.separation_cm for one in entries.values()) * 1.35
-    tall = max(one.bars_y * one.pixel_size_cm for one in entries.values()) * 1.55
+    columns = 4
+    wide = max(one.separation_cm for one in entries.values()) * 1.3
+    tall = max(one.bars_y * one.pixel_size_cm for one in entries.values()) * 1.9
     for number, (title, one) in enumerate(entries.items()):
         row, column = divmod(number, columns)
         x, y = column * wide, -row * tall
@@ -116,7 +116,10 @@ def _shapes(
             axes.plot([x, x + one.separation_cm], [y - sign * half, y + sign * half],
                       color=colour, linewidth=0.7, zorder=2)  # fmt: skip
         axes.text(
-            x, y + tall * 0.36, title, fontsize=style.TICK_SIZE, color=style.INK,
+            x,
+            y + tall * 0.3,
+            title.replace(" (", "\n("),
+            fontsize=style.TICK_SIZE, color=style.INK,
             fontweight="bold" if title == chosen else "normal", va="bottom", ha="left",
         )  # fmt: skip
         axes.text(
@@ -125,12 +128,12 @@ def _shapes(
             fontsize=style.CONTOUR_SIZE, color=style.MUTED, va="top", ha="left",
         )  # fmt: skip
     rows = -(-len(entries) // columns)
-    axes.plot([2 * wide, 2 * wide + 100], [-(rows - 0.42) * tall] * 2, color=style.INK,
+    axes.plot([3 * wide, 3 * wide + 100], [-(rows - 0.47) * tall] * 2, color=style.INK,
               linewidth=1.5)  # fmt: skip
-    axes.text(2 * wide + 110, -(rows - 0.42) * tall, "1 m", fontsize=style.TICK_SIZE, va="center",
+    axes.text(3 * wide + 110, -(rows - 0.47) * tall, "1 m", fontsize=style.TICK_SIZE, va="center",
               color=style.INK)  # fmt: skip
     axes.set_xlim(-0.05 * wide, columns * wide)
-    axes.set_ylim(-(rows - 0.35) * tall, 0.62 * tall)
+    axes.set_ylim(-(rows - 0.4) * tall, 0.62 * tall)
     axes.set_aspect("equal")
     axes.axis("off")
     axes.set_title(
@@ -159,7 +162,7 @@ def _resolutions(
         (axes.get_xlim(), axes.set_xlim, axes.set_xticks),
         (axes.get_ylim(), axes.set_ylim, axes.set_yticks),
     ):
-        low, high = limits[0] / 1.15, limits[1] * (1.7 if setter == axes.set_xlim else 1.15)
+        low, high = limits[0] / 1.15, limits[1] * (2.3 if setter == axes.set_xlim else 1.15)
         setter(low, high)
         positions = ticks.logarithmic_ticks(low, high)
         place_ticks(positions, [ticks.number_label(float(tick)) for tick in positions])
@@ -179,12 +182,12 @@ def _etendues(
     for title, bar, value in zip(order, bars, values):
         angle = collected[title].geometry.half_aperture_deg[0]
         axes.annotate(
-            f"{value:.3g} m² sr, ±{angle:.0f}°", (value, bar.get_y() + bar.get_height() / 2),
+            f"{value:.3g}, ±{angle:.0f}°", (value, bar.get_y() + bar.get_height() / 2),
             xytext=(4, 0), textcoords="offset points", va="center", fontsize=style.TICK_SIZE,
             color=style.INK, annotation_clip=False,
         )  # fmt: skip
     axes.set_yticks(range(len(order)), order)
-    axes.set_xlim(0, 1.25 * max(values))
+    axes.set_xlim(0, 1.4 * max(values))
     axes.set_xlabel("m² sr", fontsize=style.TEXT_SIZE, labelpad=2)
     _headed(axes, "Étendue and half aperture")
     for label, title in zip(axes.get_yticklabels(), order):

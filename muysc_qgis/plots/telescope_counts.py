@@ -17,6 +17,7 @@ from .telescope_axes import (
     edges,
     label_angles,
     place,
+    write_heading,
 )
 from .telescope_panel import telescope_title
 from .ticks import number_label
@@ -67,7 +68,7 @@ def counts_panel(counts: TelescopeCounts, name: str, quantities: tuple[str, ...]
     heading = style.heading_height_in(title, lines)
     height = heading + rows * (tall + _ABOVE + _BELOW) + 0.3
     figure = style.new_figure(style.WIDTH_IN, height)
-    style.add_heading(figure, title, lines, _LEFT - 0.4)
+    write_heading(figure, title, lines, _LEFT - 0.4)
     sky = counts.rock_share <= HALF
     legend: dict[str, object] = {}
     for number, one in enumerate(maps):

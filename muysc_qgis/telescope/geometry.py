@@ -71,6 +71,10 @@ class TelescopeGeometry:
                 "number from 2 to 20."
             )
 
+        # A whole number may come as a float.
+        for name in ("bars_x", "bars_y", "planes"):
+            object.__setattr__(self, name, int(getattr(self, name)))
+
     @property
     def step(self) -> float:
         """Spacing d/D of the trajectories in the tangent of the angle."""
