@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import MuyscError
-from .heights import LOWEST_M, PEAK_M, metres_per_unit
+from .heights import LOWEST_M, PEAK_M, UNFLAGGED_NO_DATA_M, metres_per_unit
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -180,6 +180,11 @@ class Dem:
                 f"The raster {self.name} holds {value:g} m, beyond the {LOWEST_M:g} to "
                 f"{PEAK_M:g} m that elevations on Earth reach; choose an elevation raster, "
                 "or set its no-data value or unit."
+            )
+        if lowest == UNFLAGGED_NO_DATA_M:
+            raise MuyscError(
+                f"The DEM {self.name} holds {lowest:g} m, the usual code for missing heights, but "
+                "does not say that it means no data; set the raster's no-data value to it."
             )
 
     def heights_at(self, column: float, row: float) -> float:

@@ -20,6 +20,10 @@ PEAK_M = 9000.0
 #: 2021, doi:10.1016/j.dsr.2021.103644), with the same margin.
 LOWEST_M = -11_100.0
 
+#: The code for missing heights that many programs write without flagging it; as
+#: a depth it would be met to the metre in a few trenches only.
+UNFLAGGED_NO_DATA_M = -9999.0
+
 #: Spellings in the unit tag of a raster band.
 _SPELLINGS = {
     "m": "metre", "metre": "metre", "meter": "metre", "metres": "metre", "meters": "metre",

@@ -163,6 +163,14 @@ def test_values_that_no_ground_on_earth_has(write_dem, value, data_type):
     assert "no-data value or unit" in str(caught.value)
 
 
+def test_missing_heights_that_the_file_does_not_flag(write_dem):
+    heights = FLAT.copy()
+    heights[2, 3] = -9999
+    path = write_dem(heights, UTM, NORTH_UP, name="unflagged.tif")
+    with pytest.raises(MuyscError, match="set the raster's no-data value to it"):
+        open_dem(path).read(0, 0, 8, 8)
+
+
 def test_highest_and_deepest_ground_are_elevations(write_dem):
     heights = FLAT.copy()
     heights[0, 0], heights[0, 1] = 8849.0, -10_935.0
