@@ -170,6 +170,8 @@ def _told(
             value = definition.defaultValue()
         if value is None or value == "":
             value = "–"
+        elif isinstance(value, list) and all(isinstance(one, (str, int, float)) for one in value):
+            value = ", ".join(map(str, value))
         elif not isinstance(value, (str, int, float)):
             value = definition.valueAsPythonString(value, context).strip("'")
         label, unit = _split_unit(definition.description())

@@ -90,6 +90,8 @@ def test_chosen_values_reach_the_tables_and_the_log(run, recorder, files):
     assert any(text.startswith("Bugaev at 80°: farther from") for text in feedback.warnings)
     report = Path(files["REPORT"]).read_text(encoding="utf-8")
     assert "Flux, Guan et al. at 80°" in report
+    # Lists of choices are told in full, defaults too.
+    assert "bugaev, guan" in report
 
 
 def test_fluxes_are_those_of_muonflux(run, files, tmp_path, vesuvius):
@@ -126,6 +128,9 @@ def test_a_missing_minimum_energy_leaves_the_files_whole(run, recorder, files):
     results = run("fluxspectrum", {**files, "THICKNESS": 700, "ENERGY_LOSS": "paper"}, feedback)
     assert results["MINIMUM_ENERGY"] != results["MINIMUM_ENERGY"]
     assert any("“paper” has no answer" in text for text in feedback.warnings)
+    assert "standard_rock, water, granite, basalt, limestone" in Path(files["REPORT"]).read_text(
+        encoding="utf-8"
+    )
     assert "unknown" in Path(files["REPORT"]).read_text(encoding="utf-8")
 
 
