@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from .errors import MuyscError
 from .measurement.observation import (
     Observation,
@@ -13,14 +11,16 @@ from .measurement.observation import (
     from_counts,
     from_values,
 )
-from .muogram import Muogram
 from .quantities import ERROR_SUFFIX
 from .radiography.counting import check_positive
-
-#: Directions of two muograms may differ by this share of a pixel.
-_SAME_PIXEL = 1e-3
-
-_METRES_PER_DEGREE = 111_200.0
+from .views import (
+    View,
+    elevation_of,
+    metadata_number,
+    require_quantity,
+    require_same_directions,
+    require_same_pixels,
+)
 
 
 @dataclass(frozen=True)
@@ -34,17 +34,18 @@ class Measurement:
     """
 
     #: Muogram of counts, flux or transmission.
-    values: Muogram
+    values: View
     #: Standard errors of a flux or transmission.
-    errors: Muogram | None = None
+    errors: View | None = None
     #: Counts of the same telescope in the open sky.
-    open_sky: Muogram | None = None
+    open_sky: View | None = None
     #: Days of counting; None for what the muogram says (DAYS).
     days: float | None = None
     #: Days of counting in the open sky; None for what its muogram says (DAYS).
     open_sky_days: float | None = None
-    #: cm² sr of a pixel; None for what the muogram says (ACCEPTANCE).
-    acceptance_cm2_sr: float | None = None
+    #: cm² sr of a pixel, one for all or a raster on the same pixels; None for what the
+    #: muogram says (ACCEPTANCE).
+    acceptance_cm2_sr: float | View | None = None
 
     def __post_init__(self) -> None:
         for number, name in (
@@ -52,7 +53,7 @@ class Measurement:
             (self.open_sky_days, "exposure of the open sky in days"),
             (self.acceptance_cm2_sr, "acceptance in cm² sr"),
         ):
-            if number is not None:
+            if isinstance(number, (float, int)):
                 check_positive(number, name)
         quantity = self.values.quantity
         if quantity not in ("counts", "flux", "transmission"):
@@ -66,19 +67,18 @@ class Measurement:
                     f"Counts in the open sky go with counts behind rock, and a muogram of "
                     f"{quantity} was given; leave them out."
                 )
-            require_quantity(self.open_sky, "counts", "The open-sky muogram")
-            if self.open_sky.values.shape != self.values.values.shape:
-                raise MuyscError(
-                    f"The open-sky counts have {_grid(self.open_sky)} and the counts "
-                    f"{_grid(self.values)}; give both of the same telescope pixels."
-                )
+            require_quantity(self.open_sky, ("counts", "open_sky_counts"), "The open-sky muogram")
+            require_same_pixels(self.open_sky, "open-sky counts", self.values, "counts")
+        if not isinstance(self.acceptance_cm2_sr, (float, int, type(None))):
+            require_quantity(self.acceptance_cm2_sr, ("acceptance",), "The raster of acceptances")
+            require_same_pixels(self.acceptance_cm2_sr, "acceptances", self.values, "counts")
         if self.errors is not None:
             if quantity == "counts":
                 raise MuyscError(
                     "The errors of counts follow from the counts themselves; leave the muogram of "
                     "errors out."
                 )
-            require_quantity(self.errors, quantity + ERROR_SUFFIX, "The muogram of errors")
+            require_quantity(self.errors, (quantity + ERROR_SUFFIX,), "The muogram of errors")
             require_same_directions(self.errors, "errors", self.values, quantity)
 
     def observation(self, confidence: float) -> Observation:
@@ -90,18 +90,18 @@ class Measurement:
             If an exposure or the acceptance is not known, or a value cannot be used.
         """
         values, quantity = self.values.values, self.values.quantity
-        elevation = self.values.elevation_deg[:, None]
         errors = None if self.errors is None else self.errors.values
         if quantity == "flux":
             return from_values(values, errors, confidence)
         if quantity == "transmission":
-            return from_values(values, errors, confidence, elevation)
+            return from_values(values, errors, confidence, elevation_of(self.values))
         days = _known(self.days, self.values, "DAYS", "exposure in days")
         if self.open_sky is None:
-            acceptance = _known(
-                self.acceptance_cm2_sr, self.values, "ACCEPTANCE", "acceptance in cm² sr"
-            )
-            return from_counts(values, days, acceptance, confidence)
+            acceptance = self.acceptance_cm2_sr
+            if isinstance(acceptance, (float, int, type(None))):
+                each = _known(acceptance, self.values, "ACCEPTANCE", "acceptance in cm² sr")
+                return from_counts(values, days, each, confidence)
+            return from_counts(values, days, acceptance.values, confidence)
         sky_days = _known(
             self.open_sky_days, self.open_sky, "DAYS", "exposure of the open sky in days"
         )
@@ -114,77 +114,17 @@ class Measurement:
             values,
             self.open_sky.values,
             days / sky_days,
-            self.open_sky.elevation_deg[:, None],
+            elevation_of(self.open_sky),
             confidence,
         )
 
 
-def require_same_directions(one: Muogram, name: str, other: Muogram, other_name: str) -> None:
-    """Refuse two muograms that are not on the same directions.
-
-    Raises
-    ------
-    MuyscError
-        With the directions of both.
-    """
-    same = one.values.shape == other.values.shape
-    if same:
-        for first, second in (
-            (one.azimuth_deg, other.azimuth_deg),
-            (one.elevation_deg, other.elevation_deg),
-        ):
-            step = abs(second[-1] - second[0]) / max(1, len(second) - 1) or 1.0
-            # 350° and −10° are one direction.
-            apart = (first - second + 180.0) % 360.0 - 180.0
-            same &= bool(np.all(np.abs(apart) <= _SAME_PIXEL * step))
-    if not same:
-        raise MuyscError(
-            f"The muogram of {name} has {_grid(one)} and that of {other_name} {_grid(other)}; "
-            "make both on the same directions."
-        )
-
-
-def _grid(muogram: Muogram) -> str:
-    azimuth, elevation = muogram.azimuth_deg, muogram.elevation_deg
-    return (
-        f"{len(azimuth)} × {len(elevation)} pixels, azimuth {azimuth[0]:g}° to "
-        f"{azimuth[-1]:g}°, elevation {elevation[-1]:g}° to {elevation[0]:g}°"
-    )
-
-
-def require_quantity(muogram: Muogram, quantity: str, name: str) -> None:
-    """Refuse a muogram of another quantity.
-
-    Raises
-    ------
-    MuyscError
-        With the quantity that it holds.
-    """
-    if muogram.quantity != quantity:
-        raise MuyscError(
-            f"{name} holds {muogram.quantity}; choose a muogram of the quantity {quantity}."
-        )
-
-
-def _known(value: float | None, muogram: Muogram, key: str, name: str) -> float:
-    """Return a number that was given or that the muogram says."""
+def _known(value: float | None, view: View, key: str, name: str) -> float:
+    """Return a number that was given or that the counts say."""
     if value is not None:
         return value
-    if key not in muogram.metadata:
+    if key not in view.metadata:
         raise MuyscError(
             f"The {name} is neither given nor in the counts' metadata (key {key}); give it."
         )
-    return muogram.number(key)
-
-
-def metres_apart(one: Muogram, other: Muogram) -> float:
-    """Return the rough distance of two detectors (m), NaN where one is not known."""
-    try:
-        (lon, lat), (other_lon, other_lat) = (
-            (muogram.number("DETECTOR_LON"), muogram.number("DETECTOR_LAT"))
-            for muogram in (one, other)
-        )
-    except MuyscError:
-        return float("nan")
-    east = ((lon - other_lon + 180.0) % 360.0 - 180.0) * np.cos(np.radians(lat))
-    return float(_METRES_PER_DEGREE * np.hypot(east, lat - other_lat))
+    return metadata_number(view, key)

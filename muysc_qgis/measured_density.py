@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .errors import MuyscError
-from .measured import Measurement, metres_apart, require_quantity, require_same_directions
+from .measured import Measurement
 from .measurement.density import (
     Densities,
     Flag,
@@ -19,10 +19,18 @@ from .measurement.density import (
 )
 from .measurement.mean import Mean, mean_density
 from .measurement.observation import Observation, check_transmission, pixels
-from .muogram import Muogram
 from .progress import Progress, report, silent
 from .radiography.settings import Physics
 from .simulation import describe_physics
+from .views import (
+    View,
+    elevation_of,
+    like,
+    metadata_number,
+    metres_apart,
+    require_quantity,
+    require_same_directions,
+)
 
 #: Detectors of two muograms farther apart than this (m) are worth a warning.
 _SAME_PLACE_M = 30.0
@@ -77,7 +85,7 @@ class DensityChoices:
 class DensityResult:
     """Muograms by quantity, numbers, and what to say about them."""
 
-    muograms: Mapping[str, Muogram]
+    muograms: Mapping[str, View]
     densities: Densities
     mean: Mean
     warnings: tuple[str, ...]
@@ -104,7 +112,7 @@ class DensityResult:
 
 def density_behind(
     measured: Measurement,
-    thickness: Muogram,
+    thickness: View,
     physics: Physics,
     choices: DensityChoices,
     altitude_m: float | None = None,
@@ -135,16 +143,18 @@ def density_behind(
     Cancelled
         If `progress` asks for a stop.
     """
-    require_quantity(thickness, "thickness", "The thickness muogram")
+    require_quantity(thickness, ("thickness",), "The thickness muogram")
     require_same_directions(measured.values, measured.values.quantity, thickness, "thickness")
     if altitude_m is None:
         altitude_m = 0.0
         if physics.altitude_correction:
             known = "DETECTOR_ELEVATION" in measured.values.metadata
-            altitude_m = (measured.values if known else thickness).number("DETECTOR_ELEVATION")
+            altitude_m = metadata_number(
+                measured.values if known else thickness, "DETECTOR_ELEVATION"
+            )
     scene = Scene(
         thickness.values,
-        thickness.elevation_deg[:, None],
+        elevation_of(thickness),
         physics,
         altitude_m,
         choices.model_uncertainty,
@@ -171,15 +181,9 @@ def density_behind(
         spread = model_densities(seen, scene, choices.minimum_counts)
         values |= {"density_minimum": spread.minimum, "density_maximum": spread.maximum}
     report(progress, 1.0)
-    base = thickness.with_values("thickness", thickness.values)
-    metadata = _metadata(measured, physics, choices, mean)
-    kept = {key: value for key, value in base.metadata.items() if key not in _NOT_MEASURED}
-    muograms = {
-        name: Muogram(
-            name, array, thickness.azimuth_deg, thickness.elevation_deg, {**kept, **metadata}
-        )
-        for name, array in values.items()
-    }
+    kept = {key: value for key, value in thickness.metadata.items() if key not in _NOT_MEASURED}
+    metadata = {**kept, **_metadata(measured, physics, choices, mean)}
+    muograms = {name: like(thickness, name, array, metadata) for name, array in values.items()}
     return DensityResult(
         muograms, found, mean, _warnings(measured, thickness, found, choices, seen)
     )
@@ -203,7 +207,7 @@ def _metadata(
 
 def _warnings(
     measured: Measurement,
-    thickness: Muogram,
+    thickness: View,
     found: Densities,
     choices: DensityChoices,
     seen: Observation,

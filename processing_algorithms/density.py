@@ -17,13 +17,15 @@ from ..muysc_qgis.errors import MuyscError
 from ..muysc_qgis.measured import Measurement
 from ..muysc_qgis.measured_density import DensityChoices, DensityResult, density_behind
 from ..muysc_qgis.measurement.density import Flag
-from ..muysc_qgis.muogram import Muogram
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
+from ..muysc_qgis.trajectories import TrajectoryMap
+from ..muysc_qgis.views import View
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import raster_outputs, stage_muograms, wanted
-from .parameters.muograms import read_muogram_layer
+from .outputs.trajectories import stage_trajectories
+from .parameters.muograms import read_view_layer
 from .parameters.physics import physics_parameters, read_physics
 from .parameters.values import explained, given, number, read_number
 
@@ -46,7 +48,7 @@ _MEASURED = ("COUNTS", "FLUX", "TRANSMISSION")
 class _Inputs:
     paths: tuple[str, ...]
     measurement: Measurement
-    thickness: Muogram
+    thickness: View
     physics: Physics
     choices: DensityChoices
     altitude_m: float | None
@@ -85,6 +87,9 @@ class Density(MuyscAlgorithm):
                 "open-sky run.",
                 None, 0,
             ),
+            _muogram("ACCEPTANCES", "Acceptances of the pixels", "Raster of the acceptance of "
+                     "every pixel in cm² sr, in place of one for all, such as Telescope "
+                     "parameters writes it for counts in telescope angles."),
             _muogram("OPEN_SKY_COUNTS", "Counts in the open sky", "Muogram of muons that the same "
                      "telescope pixels counted in the open sky. Acceptance and efficiency then "
                      "drop out. Its elevations say where the telescope pointed."),
@@ -149,11 +154,11 @@ class Density(MuyscAlgorithm):
             )
         paths: list[str] = []
 
-        def muogram(name: str) -> Muogram | None:
+        def muogram(name: str) -> View | None:
             return taken(name) if given(parameters, name) else None
 
-        def taken(name: str) -> Muogram:
-            read, path = read_muogram_layer(self, parameters, name, context)
+        def taken(name: str) -> View:
+            read, path = read_view_layer(self, parameters, name, context)
             paths.append(path)
             return read
 
@@ -164,13 +169,19 @@ class Density(MuyscAlgorithm):
             )
         thickness = taken("THICKNESS")
         read = (self, parameters)
+        acceptance = read_number(*read, "ACCEPTANCE", context)
+        if acceptance is not None and given(parameters, "ACCEPTANCES"):
+            raise MuyscError(
+                "Both ACCEPTANCE and ACCEPTANCES are given; give one acceptance for all pixels, or "
+                "a raster of them."
+            )
         measurement = Measurement(
             values,
             muogram("ERROR"),
             muogram("OPEN_SKY_COUNTS"),
             read_number(*read, "EXPOSURE", context),
             read_number(*read, "OPEN_SKY_EXPOSURE", context),
-            read_number(*read, "ACCEPTANCE", context),
+            muogram("ACCEPTANCES") if acceptance is None else acceptance,
         )
         choices = DensityChoices(
             (read_number(*read, "MODEL_UNCERTAINTY", context) or 0.0) / 100,
@@ -204,9 +215,16 @@ class Density(MuyscAlgorithm):
             progress_of(feedback, 0.0, 0.8),
         )
         _say(feedback, result)
-        results = stage_muograms(
-            self, _OUTPUTS, result.muograms, parameters, context, staging, inputs.paths
-        )
+        files = (parameters, context, staging, inputs.paths)
+        if isinstance(inputs.thickness, TrajectoryMap):
+            if wanted(parameters, "PANEL", "REPORT"):
+                feedback.pushWarning(
+                    "Panel and report are drawn for azimuth and elevation only; in telescope "
+                    "angles the rasters are written without them."
+                )
+            results = stage_trajectories(self, _OUTPUTS, result.muograms, *files)
+            return results | _numbers(result)
+        results = stage_muograms(self, _OUTPUTS, result.muograms, *files)
 
         def panel() -> Any:
             from ..muysc_qgis.plots import measured

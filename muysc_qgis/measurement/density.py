@@ -86,7 +86,7 @@ class Scene:
 
     #: (n_elevation, n_azimuth) rock along each ray, m.
     thickness_m: np.ndarray
-    #: (n_elevation, 1) elevation of the rays, degrees.
+    #: Elevation of the rays in degrees, (n_elevation, 1) or one for each.
     elevation_deg: np.ndarray
     physics: Physics
     altitude_m: float

@@ -107,7 +107,8 @@ def from_count_ratio(
     days_per_sky_day
         Time of counting towards the rock over that in the open sky.
     sky_elevation_deg
-        (n_elevation, 1) elevation of the pixels in the run in the open sky, degrees.
+        Elevation of the pixels in the run in the open sky in degrees, (n_elevation, 1) or
+        one for each.
     confidence
         Of the limit for pixels without a muon, between 0 and 1.
 
@@ -152,7 +153,7 @@ def from_values(
     confidence
         Of the limit for pixels whose value is 0, between 0 and 1.
     sky_elevation_deg
-        (n_elevation, 1) elevation of the pixels, degrees; None for a flux.
+        Elevation of the pixels in degrees, (n_elevation, 1) or one for each; None for a flux.
 
     Raises
     ------

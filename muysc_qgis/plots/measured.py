@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..errors import MuyscError
 from ..measured_density import FLAG_MEANINGS, DensityResult
 from ..measurement.density import Flag
 from ..muogram import Muogram
@@ -62,9 +63,9 @@ def panel(result: DensityResult) -> Figure:
     if limits:
         subtitle += f"  ·  {limits} lower limits not shown"
     return muogram_panels(
-        [_without_limits(result, result.muograms[name]) for name in names],
+        [_drawn(result, name) for name in names],
         subtitle=subtitle[:1].upper() + subtitle[1:],
-        terrain=result.muograms["thickness"],
+        terrain=_drawn(result, "thickness"),
     )
 
 
@@ -77,7 +78,7 @@ def figures(result: DensityResult) -> list[ReportFigure]:
         If matplotlib is missing.
     """
     further = {
-        name: _without_limits(result, result.muograms[name])
+        name: _drawn(result, name)
         for name in _FURTHER
         if name in result.muograms and np.isfinite(result.muograms[name].values).any()
     }
@@ -150,7 +151,11 @@ def report(
     )
 
 
-def _without_limits(result: DensityResult, muogram: Muogram) -> Muogram:
+def _drawn(result: DensityResult, name: str) -> Muogram:
+    """Return a muogram without the limits in it."""
+    muogram = result.muograms[name]
+    if not isinstance(muogram, Muogram):
+        raise MuyscError("Densities in telescope angles have no panel; leave PANEL and REPORT out.")
     if not muogram.quantity.startswith(("density", "opacity")) or "flags" in muogram.quantity:
         return muogram
     limits = result.densities.flags == Flag.LOWER_LIMIT
