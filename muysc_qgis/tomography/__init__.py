@@ -1,0 +1,1 @@
+"""Voxels, paths through them, and the densities that explain many muograms."""
