@@ -26,8 +26,14 @@ _RATIOS = (0.4, 1.6)
 
 def height_in(comparison: Comparison) -> float:
     """Return the height that `draw` takes (inches)."""
-    rows = -(-len(comparison.zenith_deg) // _COLUMNS)
+    rows = -(-len(comparison.zenith_deg) // _columns(comparison))
     return _HEAD_IN + rows * (_CELL_TITLE_IN + _MAIN_IN + _GAP_IN + _RATIO_IN + _FOOT_IN)
+
+
+def _columns(comparison: Comparison) -> int:
+    """Return how many cells stand side by side; four make a square."""
+    count = len(comparison.zenith_deg)
+    return 2 if count == 4 else min(count, _COLUMNS)
 
 
 def reference_model(comparison: Comparison) -> str:
@@ -39,7 +45,7 @@ def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
     """Draw the spectra from a distance below the top of a figure (inches)."""
     reference = reference_model(comparison)
     looks.heading(figure, top_in, TITLE, _lines(comparison, reference))
-    columns = min(_COLUMNS, len(comparison.zenith_deg))
+    columns = _columns(comparison)
     width = style.WIDTH_IN - looks.LEFT_IN - looks.RIGHT_IN
     cell_in = (width + _BETWEEN_IN) / columns - _BETWEEN_IN
     lowest, highest = _limits(comparison)
@@ -121,7 +127,7 @@ def _draw_counted(axes: Axes, angle: float, comparison: Comparison, reference: s
     axes.axvline(start, color=style.MUTED, linewidth=style.THIN_LINE_WIDTH, linestyle=":")
     axes.text(
         0.97, 0.95,
-        f"> {ticks.number_label(float(f'{start:.3g}'))} GeV:\n"
+        f"> {ticks.number_label(float(f'{start:.4g}'))} GeV:\n"
         f"{ticks.number_label(float(f'{behind.flux[0]:.3g}'))} cm⁻² sr⁻¹ day⁻¹",
         transform=axes.transAxes, ha="right", va="top", fontsize=style.TICK_SIZE, color=style.INK,
         linespacing=1.3,

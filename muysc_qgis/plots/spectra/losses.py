@@ -109,7 +109,7 @@ def _draw_minimum_energy(main: Axes, below: Axes, comparison: Comparison) -> Non
             [comparison.thickness_m], [comparison.minimum_energy_gev], marker="o", markersize=5,
             markerfacecolor=looks.COUNTED, markeredgecolor=style.INK, linestyle="none",
             label=f"{ticks.number_label(comparison.thickness_m)} m: "
-            f"{ticks.number_label(float(f'{comparison.minimum_energy_gev:.3g}'))} GeV "
+            f"{ticks.number_label(float(f'{comparison.minimum_energy_gev:.4g}'))} GeV "
             f"({comparison.physics.energy_loss})",
         )  # fmt: skip
     main.set_xticklabels([])
