@@ -21,9 +21,12 @@ from .radiography.counting import check_positive, exposure_days
 from .radiography.raytracing import Outcome
 from .radiography.settings import Physics
 from .radiography.transmission import attenuate
+from .telescope.acceptance import Trajectories
+from .telescope.directions import Pointing
 from .topography.footprint import Outline, aperture_outline, ground_seen
 from .topography.sight import Sight
 from .topography.tracing import trace_terrain
+from .trajectories import describe_telescope
 
 #: What the log says of rays without a flux, by cause.
 _CAUSES = {
@@ -53,10 +56,33 @@ class Telescope:
     acceptance_cm2_sr: float = 6.0
     #: Muons wanted in each pixel.
     muons: float = 10.0
+    #: Acceptance by direction of a telescope along the boresight, in place of the one above.
+    trajectories: Trajectories | None = None
+    #: What the user must know about the choice, one sentence each.
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         check_positive(self.acceptance_cm2_sr, "acceptance in cm² sr")
         check_positive(self.muons, "number of muons")
+
+    def acceptance_toward(self, muogram: Muogram) -> float | np.ndarray:
+        """Return the acceptance in cm² sr of each pixel of a muogram, or of all of them.
+
+        With a telescope that of the trajectory in the pixel's direction; NaN outside its
+        field of view.
+
+        Raises
+        ------
+        MuyscError
+            If the muogram does not say where its telescope points.
+        """
+        if self.trajectories is None:
+            return self.acceptance_cm2_sr
+        elevation = muogram.number("BORESIGHT_ELEVATION")
+        pointing = Pointing(muogram.number("BORESIGHT_AZIMUTH") % 360.0, elevation)
+        return self.trajectories.acceptance_toward(
+            *pointing.plane(muogram.azimuth_deg[None, :], muogram.elevation_deg[:, None])
+        )
 
 
 @dataclass(frozen=True)
@@ -202,13 +228,20 @@ def through_rock(
         altitude_m = rock.number("DETECTOR_ELEVATION") if physics.altitude_correction else 0.0
     report(progress, 0.0)
     muons = attenuate(opacity, rock.elevation_deg[:, None], physics, altitude_m)
-    exposure = exposure_days(muons.flux, telescope.acceptance_cm2_sr, telescope.muons)
+    acceptance = telescope.acceptance_toward(rock)
+    exposure = exposure_days(muons.flux, acceptance, telescope.muons)
     report(progress, 1.0)
     metadata: dict[str, str | float] = {
         **describe_physics(physics),
         "ACCEPTANCE": telescope.acceptance_cm2_sr,
         "MUONS": telescope.muons,
     }
+    if telescope.trajectories is not None:
+        # The acceptance on the axis, and all that it takes to get the others.
+        metadata["ACCEPTANCE"] = float(telescope.trajectories.acceptance_cm2_sr.max())
+        metadata |= describe_telescope(
+            telescope.trajectories.geometry, telescope.trajectories.formula
+        )
     values = {
         "thickness": thickness,
         "opacity": opacity,
@@ -218,7 +251,14 @@ def through_rock(
         "transmission": muons.transmission,
         "exposure": exposure,
     }
-    warnings = muons.warnings
+    warnings = (*telescope.notes, *muons.warnings)
+    outside = int(np.count_nonzero(np.isnan(acceptance)))
+    if outside:
+        warnings = (
+            f"{outside} of {opacity.size} pixels lie outside the telescope's field of view, so "
+            "they have no exposure time; use a smaller aperture or another telescope.",
+            *warnings,
+        )
     known = np.isfinite(opacity)
     if known.any() and not np.any(opacity[known] > 0):
         warnings = (

@@ -25,6 +25,9 @@ _LOOKS = (
 
 _HEIGHT = 8.1
 
+#: Telescopes drawn side by side.
+_COLUMNS = 3
+
 
 def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Figure:
     """Return acceptances, shapes, resolutions and étendues of all telescopes.
@@ -56,7 +59,7 @@ def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Fi
     figure = style.new_figure(style.WIDTH_IN, _HEIGHT)
     write_heading(figure, title, lines, 0.22)
     _acceptances(place(figure, (0.75, 4.45, 4.1, 2.7)), collected, looks, chosen)
-    _shapes(place(figure, (5.15, 4.15, 4.75, 3.0)), entries, looks, chosen)
+    _shapes(figure, (5.2, 4.0, 4.7, 3.15), entries, looks, chosen)
     _resolutions(place(figure, (0.75, 0.6, 4.1, 2.9)), collected, looks, chosen)
     _etendues(place(figure, (6.75, 0.6, 2.5, 2.9)), collected, looks, chosen)
     return figure
@@ -98,43 +101,44 @@ def _acceptances(
 
 
 def _shapes(
-    axes: Axes, entries: dict[str, TelescopeGeometry], looks: dict[str, tuple], chosen: str
+    figure: Figure,
+    box: tuple[float, float, float, float],
+    entries: dict[str, TelescopeGeometry],
+    looks: dict[str, tuple],
+    chosen: str,
 ) -> None:
     """Draw every telescope from the side, all at one scale."""
-    columns = 4
-    wide = max(one.separation_cm for one in entries.values()) * 1.3
-    tall = max(one.bars_y * one.pixel_size_cm for one in entries.values()) * 1.9
+    axes = place(figure, box)
+    wide, tall = box[2] / _COLUMNS, box[3] / -(-len(entries) // _COLUMNS)
+    inches = min(
+        *((wide - 0.25) / one.separation_cm for one in entries.values()),
+        *((tall - 0.42) / (one.bars_y * one.pixel_size_cm) for one in entries.values()),
+    )
     for number, (title, one) in enumerate(entries.items()):
-        row, column = divmod(number, columns)
-        x, y = column * wide, -row * tall
-        half = one.bars_y * one.pixel_size_cm / 2
+        row, column = divmod(number, _COLUMNS)
+        x, top = column * wide, box[3] - row * tall
+        half = one.bars_y * one.pixel_size_cm / 2 * inches
+        y, depth = top - 0.36 - (tall - 0.42) / 2, one.separation_cm * inches
         colour = looks[title][0]
-        for distance in np.linspace(0, one.separation_cm, one.planes):
+        for distance in np.linspace(0, depth, one.planes):
             axes.plot([x + distance] * 2, [y - half, y + half], color=colour, linewidth=2.6,
                       solid_capstyle="butt", zorder=3)  # fmt: skip
         for sign in (-1, 1):
-            axes.plot([x, x + one.separation_cm], [y - sign * half, y + sign * half],
-                      color=colour, linewidth=0.7, zorder=2)  # fmt: skip
-        axes.text(
-            x,
-            y + tall * 0.3,
-            title.replace(" (", "\n("),
-            fontsize=style.TICK_SIZE, color=style.INK,
-            fontweight="bold" if title == chosen else "normal", va="bottom", ha="left",
-        )  # fmt: skip
-        axes.text(
-            x, y - half - 0.03 * tall,
-            f"{one.bars_x} × {one.bars_y} × {ticks.number_label(one.pixel_size_cm)} cm",
-            fontsize=style.CONTOUR_SIZE, color=style.MUTED, va="top", ha="left",
-        )  # fmt: skip
-    rows = -(-len(entries) // columns)
-    axes.plot([3 * wide, 3 * wide + 100], [-(rows - 0.47) * tall] * 2, color=style.INK,
-              linewidth=1.5)  # fmt: skip
-    axes.text(3 * wide + 110, -(rows - 0.47) * tall, "1 m", fontsize=style.TICK_SIZE, va="center",
-              color=style.INK)  # fmt: skip
-    axes.set_xlim(-0.05 * wide, columns * wide)
-    axes.set_ylim(-(rows - 0.4) * tall, 0.62 * tall)
-    axes.set_aspect("equal")
+            axes.plot([x, x + depth], [y - sign * half, y + sign * half], color=colour,
+                      linewidth=0.7, zorder=2)  # fmt: skip
+        bold = "bold" if title == chosen else "normal"
+        sizes = f"{one.bars_x} × {one.bars_y} × {one.pixel_size_cm:g} cm, {one.separation_cm:g} cm"
+        for text, size, down, weight, ink in (
+            (title, style.TICK_SIZE, 0.0, bold, style.INK),
+            (sizes, style.CONTOUR_SIZE, 0.15, "normal", style.MUTED),
+        ):
+            axes.text(x, top - down, text, fontsize=size, fontweight=weight, color=ink, va="top")
+    end = box[2] - 0.15
+    axes.plot([end - 100 * inches, end], [-0.05] * 2, color=style.INK, linewidth=1.5)
+    axes.text(end - 100 * inches - 0.06, -0.05, "1 m", fontsize=style.TICK_SIZE, va="center",
+              ha="right", color=style.INK)  # fmt: skip
+    axes.set_xlim(-0.03, box[2])
+    axes.set_ylim(-0.1, box[3])
     axes.axis("off")
     axes.set_title(
         "From the side, at one scale", fontsize=style.HEADING_SIZE, fontweight="bold", loc="left",

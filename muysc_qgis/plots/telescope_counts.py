@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ..expected_counts import TelescopeCounts
 from ..telescope.planning import HALF
+from ..trajectories import TrajectoryMap
 from . import style
 from .directions import describe
 from .telescope_axes import (
@@ -64,7 +66,7 @@ def counts_panel(counts: TelescopeCounts, name: str, quantities: tuple[str, ...]
     tall = wide * (top - bottom) / (right - left)
     rows = -(-len(maps) // 2)
     title = f"{telescope_title(name)}: {plan.days:g} days of counting"
-    lines = [*_told(counts), *describe(maps[0])]
+    lines = [*_told(counts), *describe(_aimed_at_target(maps[0]))]
     heading = style.heading_height_in(title, lines)
     height = heading + rows * (tall + _ABOVE + _BELOW) + 0.3
     figure = style.new_figure(style.WIDTH_IN, height)
@@ -99,6 +101,18 @@ def counts_panel(counts: TelescopeCounts, name: str, quantities: tuple[str, ...]
     return figure
 
 
+def _aimed_at_target(one: TrajectoryMap) -> TrajectoryMap:
+    """Return a raster whose metadata point at the target, which muograms always do."""
+    aimed = {
+        key: one.metadata[target]
+        for key, target in (
+            ("BORESIGHT_AZIMUTH", "TARGET_AZIMUTH"),
+            ("BORESIGHT_ELEVATION", "TARGET_ELEVATION_ANGLE"),
+        )
+    }
+    return replace(one, metadata={**one.metadata, **aimed})
+
+
 def _title(quantity: str, counts: TelescopeCounts) -> str:
     plan = counts.plan
     if quantity == "density_resolution":
@@ -111,12 +125,22 @@ def _title(quantity: str, counts: TelescopeCounts) -> str:
 def _told(counts: TelescopeCounts) -> list[str]:
     geometry, plan = counts.geometry, counts.plan
     merged = "" if plan.merge == 1 else f"  ·  {plan.merge} × {plan.merge} trajectories merged"
+    pointing, aim = counts.pointing, counts.maps["counts"].metadata
+    boresight = ""
+    if (pointing.azimuth_deg, pointing.elevation_deg) != (
+        aim["TARGET_AZIMUTH"],
+        aim["TARGET_ELEVATION_ANGLE"],
+    ):
+        boresight = (
+            f"  ·  boresight {pointing.azimuth_deg % 360:.1f}°, {pointing.elevation_deg:.1f}° up"
+        )
     roll = f"  ·  roll {counts.pointing.roll_deg:g}°" if counts.pointing.roll_deg else ""
     total, rock = (
         number_label(float(f"{counts.rate_per_day(behind_rock=one):.4g}")) for one in (False, True)
     )
-    rates = f"{total} muons a day, {rock} of them behind rock"
+    rates = f"{total} muons a day along known trajectories, {rock} of them behind rock"
     return [
         f"{geometry.bars_x} × {geometry.bars_y} bars of {geometry.pixel_size_cm:g} cm, planes "
-        f"{geometry.separation_cm:g} cm apart{merged}{roll}  ·  {rates}"
+        f"{geometry.separation_cm:g} cm apart{merged}{boresight}{roll}",
+        rates,
     ]

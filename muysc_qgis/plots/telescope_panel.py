@@ -149,7 +149,7 @@ def _draw_section(axes: Axes, one: TrajectoryMap, left: float, right: float) -> 
         low = 0.0
     margin = 0.08 * (high - low) or 0.1 * high
     axes.set_ylim(low - (margin if low else 0), high + margin)
-    step = ticks.round_step(high - low + margin, 3)
+    step = ticks.round_step(high - low + margin, 4)
     positions = ticks.multiples(low, high + margin, step)
     axes.set_yticks(positions, [ticks.number_label(float(tick)) for tick in positions])
     axes.set_xticks(angle_ticks(left, right, 4)[0], [])

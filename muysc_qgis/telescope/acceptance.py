@@ -65,6 +65,34 @@ class Trajectories:
         """
         return 1e3 * np.sqrt(self.solid_angle_sr)
 
+    def acceptance_toward(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Return the acceptance of the trajectory in a direction, cm² sr.
+
+        Linear between the trajectories, and towards 0 at the rim of the field of view.
+
+        Parameters
+        ----------
+        x, y
+            Tangents of the angles to the right and upwards; arrays that broadcast.
+
+        Returns
+        -------
+        numpy.ndarray
+            NaN outside the field of view.
+        """
+        padded = np.pad(self.acceptance_cm2_sr, 1)
+        rows, columns = padded.shape
+        with np.errstate(invalid="ignore"):
+            column = self.geometry.bars_x + x / self.geometry.step
+            row = self.geometry.bars_y - y / self.geometry.step
+            seen = (column > 0) & (column < columns - 1) & (row > 0) & (row < rows - 1)
+        column, row = np.where(seen, column, 0.5), np.where(seen, row, 0.5)
+        i, j = row.astype(int), column.astype(int)
+        down, right = row - i, column - j
+        upper = (1 - right) * padded[i, j] + right * padded[i, j + 1]
+        lower = (1 - right) * padded[i + 1, j] + right * padded[i + 1, j + 1]
+        return np.where(seen, (1 - down) * upper + down * lower, np.nan)
+
     @property
     def etendue_cm2_sr(self) -> float:
         """Sum of all acceptances, cm² sr."""

@@ -20,6 +20,8 @@ from ...muysc_qgis.radiography.settings import (
 )
 from ...muysc_qgis.radiography.spectra import MODELS
 from ...muysc_qgis.simulation import Telescope
+from ...muysc_qgis.telescope.acceptance import trajectories
+from .telescope import geometry_parameters, read_geometry
 from .values import choice, number, read_choice, read_number, switch
 
 
@@ -127,6 +129,7 @@ def telescope_parameters() -> list[QgsProcessingParameterDefinition]:
             "about 32 %, 100 to 10 %.",
             10.0, 0,
         ),
+        *geometry_parameters(optional=True),
     ]  # fmt: skip
 
 
@@ -140,7 +143,10 @@ def read_telescope(
     MuyscError
         If a value cannot be used.
     """
+    geometry, formula, notes = read_geometry(algorithm, parameters, context)
     return Telescope(
         read_number(algorithm, parameters, "ACCEPTANCE", context) or 0.0,
         read_number(algorithm, parameters, "MUONS", context) or 0.0,
+        None if geometry is None else trajectories(geometry, formula),
+        notes,
     )
