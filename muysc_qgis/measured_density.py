@@ -43,7 +43,11 @@ FLAG_MEANINGS = {
     Flag.BRIGHT: "as bright as the open sky: density 0",
     Flag.NOT_MEASURED: "measurement or thickness missing",
     Flag.NO_ANSWER: "no density explains the flux",
+    Flag.TOO_THIN: "too little rock to dim the flux",
 }
+
+#: Flags of pixels of which nothing is known.
+UNKNOWN = (Flag.NOT_MEASURED, Flag.NO_ANSWER, Flag.TOO_THIN)
 
 #: Metadata of a simulation that says nothing of a measurement.
 _NOT_MEASURED = ("DENSITY", "MUONS", "ACCEPTANCE")
@@ -101,7 +105,7 @@ class DensityResult:
         """Number of pixels without a density of their own, by cause."""
         return {
             FLAG_MEANINGS[flag]: self.densities.count(flag)
-            for flag in (Flag.LOWER_LIMIT, Flag.BRIGHT, Flag.NOT_MEASURED, Flag.NO_ANSWER)
+            for flag in (Flag.LOWER_LIMIT, Flag.BRIGHT, *UNKNOWN)
         }
 
     @property

@@ -15,7 +15,7 @@ from qgis.core import (
 
 from ..muysc_qgis.errors import MuyscError
 from ..muysc_qgis.measured import Measurement
-from ..muysc_qgis.measured_density import DensityChoices, DensityResult, density_behind
+from ..muysc_qgis.measured_density import UNKNOWN, DensityChoices, DensityResult, density_behind
 from ..muysc_qgis.measurement.density import Flag
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
@@ -273,6 +273,6 @@ def _numbers(result: DensityResult) -> dict[str, float]:
         "DENSITY_PIXELS": found.count(Flag.MEASURED),
         "LIMIT_PIXELS": found.count(Flag.LOWER_LIMIT),
         "BRIGHT_PIXELS": found.count(Flag.BRIGHT),
-        "UNKNOWN_PIXELS": found.count(Flag.NOT_MEASURED) + found.count(Flag.NO_ANSWER),
+        "UNKNOWN_PIXELS": sum(found.count(flag) for flag in UNKNOWN),
         "REGIONS": found.regions,
     }

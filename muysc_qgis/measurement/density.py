@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import cached_property
 
 import numpy as np
 
@@ -14,12 +15,15 @@ from ..radiography.energy_loss import minimum_energy
 from ..radiography.envelope import Envelope, envelope_over_models, model_holds
 from ..radiography.inversion import opacity_from_flux
 from ..radiography.settings import Physics
-from ..radiography.transmission import open_sky_start_gev
+from ..radiography.transmission import attenuate, open_sky_start_gev
 from ..radiography.validity import OPEN_SKY_SLACK
 from .observation import Observation, pixels
 from .poisson import logarithmic_errors
 from .regions import merge_pixels
 from .uniform import uniform_density
+
+#: A flux this close to that of the open sky, relative to it, is not dimmed.
+_UNDIMMED = 1e-12
 
 #: Largest relative uncertainty of the flux model accepted.
 _MAXIMUM_UNCERTAINTY = 1.0
@@ -39,6 +43,8 @@ class Flag(IntEnum):
     NOT_MEASURED = 4
     #: No density of any matter explains the flux, or no flux model has an answer.
     NO_ANSWER = 5
+    #: So little rock that it stops no muon of those that count.
+    TOO_THIN = 6
 
 
 @dataclass(frozen=True)
@@ -102,10 +108,17 @@ class Scene:
             )
         check_uncertainty(self.model_uncertainty)
 
-    @property
+    @cached_property
+    def too_thin(self) -> np.ndarray:
+        """Where the material at its own density would dim no flux, (n_elevation, n_azimuth)."""
+        opacity = self.thickness_m * self.physics.density * G_CM2_PER_M_WATER_EQUIVALENT
+        muons = attenuate(opacity, self.elevation_deg, self.physics, self.altitude_m)
+        return (self.thickness_m > 0) & (muons.transmission > 1.0 - _UNDIMMED)
+
+    @cached_property
     def rock(self) -> np.ndarray:
-        """(n_elevation, n_azimuth), where there is rock above the horizon."""
-        return (self.thickness_m > 0) & (self.elevation_deg > 0)
+        """Where there is rock above the horizon that dims the flux, (n_elevation, n_azimuth)."""
+        return (self.thickness_m > 0) & (self.elevation_deg > 0) & ~self.too_thin
 
 
 def check_uncertainty(share: float) -> None:
@@ -284,6 +297,7 @@ def _flagged(
     flags[density == 0] = Flag.BRIGHT
     flags[none] = Flag.LOWER_LIMIT
     flags[np.isnan(density)] = Flag.NO_ANSWER
+    flags[scene.too_thin] = Flag.TOO_THIN
     flags[np.isnan(seen.value) | np.isnan(scene.thickness_m)] = Flag.NOT_MEASURED
     flags[scene.thickness_m == 0] = Flag.SKY
     nothing = (flags == Flag.SKY) | (flags == Flag.NOT_MEASURED)

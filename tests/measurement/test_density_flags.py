@@ -101,6 +101,23 @@ def test_nothing_counted_in_the_open_sky_leaves_a_pixel_unknown():
     assert found.count(Flag.MEASURED) == 3
 
 
+def test_rock_that_stops_no_muon_has_no_density():
+    # 1 GeV/c is 0.9 GeV, which crosses about 1.8 m of rock: 0.1 m dims nothing.
+    there = scene(thickness=((0.1, 100.0), (0.1, 300.0)))
+    sky = np.broadcast_to(flux_at(0.0, there), (2, 2))
+    for seen in (
+        from_values(np.where(there.thickness_m < 1, sky, 0.1 * sky), None, 0.95),
+        from_counts(np.full((2, 2), 30.0), 1.0, 30.0 / (0.1 * sky), 0.95),
+    ):
+        found = measure_density(seen, there)
+        assert np.all(found.flags[:, 0] == Flag.TOO_THIN)
+        assert np.isnan(found.density[:, 0]).all()
+        assert np.all(found.flags[:, 1] == Flag.MEASURED)
+    # A threshold below which nothing counts makes any rock count.
+    strict = Physics(altitude_correction=False, detection_threshold_gev=1.0)
+    assert not Scene(there.thickness_m, ELEVATION_DEG, strict, 0.0).too_thin.any()
+
+
 def test_a_picture_of_sky_has_no_mean():
     there = scene(thickness=np.zeros((2, 2)))
     seen = from_counts(np.full((2, 2), 9.0), 1.0, 1.0, 0.95)
