@@ -15,7 +15,7 @@ from qgis.core import (
 
 from ..muysc_qgis.errors import MuyscError
 from ..muysc_qgis.flux_spread import with_flux_spread
-from ..muysc_qgis.muogram import Muogram, read_muogram
+from ..muysc_qgis.muogram import Muogram
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.simulation import Telescope, through_rock
 from ..muysc_qgis.staging import Staging
@@ -23,13 +23,13 @@ from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_documents
 from .outputs.messages import say
 from .outputs.rasters import raster_outputs, stage_muograms, wanted
+from .parameters.muograms import read_muogram_layer
 from .parameters.physics import (
     physics_parameters,
     read_physics,
     read_telescope,
     telescope_parameters,
 )
-from .parameters.terrain import raster_layer
 from .parameters.values import explained, given, number, read_number
 
 #: Quantity by output. The inputs have the plain names of thickness and opacity.
@@ -103,8 +103,7 @@ class MuonFlux(MuyscAlgorithm):
                 "Both THICKNESS and OPACITY are" if names else "Neither THICKNESS nor OPACITY is"
             )
             raise MuyscError(f"{state} given; choose exactly one muogram to start from.")
-        path = raster_layer(self, parameters, names[0], context).source()
-        rock = read_muogram(path)
+        rock, path = read_muogram_layer(self, parameters, names[0], context)
         if rock.quantity != names[0].lower():
             raise MuyscError(
                 f"{names[0]} is a muogram of {rock.quantity}; choose one of {names[0].lower()}."
