@@ -52,8 +52,18 @@ class Described:
             ) from None
 
 
+class View(Described):
+    """One quantity seen from one place: a muogram, or a raster in telescope angles."""
+
+    values: np.ndarray
+
+    def pixel_of(self, azimuth_deg: np.ndarray, elevation_deg: np.ndarray) -> np.ndarray:
+        """Return the flat index of the pixel in each direction, −1 outside."""
+        raise NotImplementedError
+
+
 @dataclass(frozen=True)
-class Muogram(Described):
+class Muogram(View):
     """Values of one quantity on a regular grid of ray directions.
 
     Parameters
@@ -98,6 +108,21 @@ class Muogram(Described):
                 f"The muogram has {self.values.shape} values for {shape} directions "
                 "(elevations, azimuths); give one value for each direction."
             )
+
+    def pixel_of(self, azimuth_deg: np.ndarray, elevation_deg: np.ndarray) -> np.ndarray:
+        """Return the flat index of the pixel in each direction, −1 outside the muogram."""
+        rows, columns = self.values.shape
+        left, right = self.azimuth_deg[[0, -1]]
+        top, bottom = self.elevation_deg[[0, -1]]
+        step_x = (right - left) / (columns - 1) if columns > 1 else 1.0
+        step_y = (top - bottom) / (rows - 1) if rows > 1 else 1.0
+        # The turn that brings the azimuth into the muogram's own count, 350…370 say.
+        turned = left - step_x / 2 + (azimuth_deg - left + step_x / 2) % 360.0
+        column = np.floor((turned - left) / step_x + 0.5)
+        with np.errstate(invalid="ignore"):
+            row = np.floor((top - elevation_deg) / step_y + 0.5)
+            inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+            return np.where(inside, row * columns + column, -1).astype(np.int64)
 
     def with_values(self, quantity: str, values: np.ndarray, **metadata: str | float) -> Muogram:
         """Return another quantity on the same directions, `metadata` added."""

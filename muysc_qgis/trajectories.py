@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from .errors import MuyscError
-from .muogram import Described, Grid, Muogram, read_grid, read_muogram, write_grid
+from .muogram import Grid, View, read_grid, read_muogram, write_grid
 from .quantities import QUANTITIES
 from .telescope.acceptance import Trajectories
 from .telescope.directions import Pointing
@@ -19,9 +19,16 @@ from .telescope.geometry import TelescopeGeometry
 #: Value of PROJECTION in rasters whose axes are tangents.
 TANGENT = "tangent"
 
+#: What such a raster says about its axes.
+_AXES = {
+    "PROJECTION": TANGENT,
+    "AXIS_X": "tangent of the angle from the boresight to the telescope's right",
+    "AXIS_Y": "tangent of the angle from the boresight to the telescope's up",
+}
+
 
 @dataclass(frozen=True)
-class TrajectoryMap(Described):
+class TrajectoryMap(View):
     """Values of one quantity on the evenly spaced tangents of a telescope.
 
     The trajectory with the tangents x and y runs along b + x r + y u, with the boresight
@@ -134,12 +141,7 @@ def write_trajectories(trajectories: TrajectoryMap, path: str | Path) -> None:
     MuyscError
         If the file cannot be written.
     """
-    metadata = {
-        "PROJECTION": TANGENT,
-        "AXIS_X": "tangent of the angle from the boresight to the telescope's right",
-        "AXIS_Y": "tangent of the angle from the boresight to the telescope's up",
-        **trajectories.metadata,
-    }
+    metadata = {**_AXES, **trajectories.metadata}
     write_grid(
         Grid(trajectories.quantity, trajectories.values, trajectories.x, trajectories.y, metadata),
         path,
@@ -162,10 +164,11 @@ def read_trajectories(path: str | Path) -> TrajectoryMap:
             f"{path} is no raster in telescope angles (PROJECTION {TANGENT}); choose one made by "
             "Expected counts in a telescope."
         )
-    return TrajectoryMap(grid.quantity, grid.values, grid.x, grid.y, grid.metadata)
+    metadata = {key: value for key, value in grid.metadata.items() if key not in _AXES}
+    return TrajectoryMap(grid.quantity, grid.values, grid.x, grid.y, metadata)
 
 
-def read_view(path: str | Path) -> Muogram | TrajectoryMap:
+def read_view(path: str | Path) -> View:
     """Read a muogram or a raster in telescope angles, whichever the file says it is.
 
     Raises

@@ -15,11 +15,12 @@ from qgis.core import (
 )
 
 from ..muysc_qgis.errors import MuyscError
-from ..muysc_qgis.muogram import Muogram, read_muogram
+from ..muysc_qgis.muogram import View
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.topography.dem import Dem
 from ..muysc_qgis.topography.drape import SIDES, check_detector, drape
 from ..muysc_qgis.topography.raster import write_on_grid
+from ..muysc_qgis.trajectories import read_view
 from .base import MuyscAlgorithm, progress_of
 from .outputs.rasters import destination, stage_raster
 from .parameters.terrain import dem_parameters, raster_layer, read_dem
@@ -29,7 +30,7 @@ from .parameters.values import choice, explained, read_choice
 @dataclass(frozen=True)
 class _Inputs:
     path: str
-    muogram: Muogram
+    muogram: View
     dem: Dem
     side: str
 
@@ -47,7 +48,8 @@ class Drape(MuyscAlgorithm):
         return [
             explained(
                 QgsProcessingParameterRasterLayer("MUOGRAM", "Muogram"),
-                "Muogram of any quantity; it says itself where its detector stands.",
+                "Muogram of any quantity, or raster of expected counts in telescope angles; it "
+                "says itself where its detector stands.",
             ),
             *dem_parameters(),
             choice(
@@ -68,7 +70,7 @@ class Drape(MuyscAlgorithm):
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         path = raster_layer(self, parameters, "MUOGRAM", context).source()
-        muogram = read_muogram(path)
+        muogram = read_view(path)
         dem, _ = read_dem(self, parameters, context)
         check_detector(muogram, dem)
         return _Inputs(path, muogram, dem, read_choice(self, parameters, "SIDE", context))

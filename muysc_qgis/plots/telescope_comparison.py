@@ -46,6 +46,9 @@ def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Fi
     MuyscError
         If matplotlib is missing.
     """
+    # What is missing is told by its name.
+    import matplotlib  # noqa: F401
+
     entries = {preset.title: preset.geometry for preset in PRESETS.values()}
     chosen = PRESETS[name].title if name in PRESETS else "this telescope"
     entries.setdefault(chosen, geometry)

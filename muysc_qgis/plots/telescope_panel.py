@@ -56,6 +56,9 @@ def telescope_panel(collected: Trajectories, name: str) -> Figure:
     MuyscError
         If matplotlib is missing.
     """
+    # What is missing is told by its name.
+    import matplotlib  # noqa: F401
+
     geometry = collected.geometry
     title, lines = telescope_title(name), describe_geometry(collected)
     heading = style.heading_height_in(title, lines)

@@ -10,6 +10,7 @@ from ..errors import MuyscError
 from ..radiography.counting import check_positive, exposure_days, feasibility_days
 from .acceptance import Trajectories
 from .merging import merge_sum
+from .sky_table import check_rays
 from .statistics import days_for_contrast, significant_excess
 
 #: How the days for a contrast are computed.
@@ -77,6 +78,7 @@ class CountingPlan:
                 f"An efficiency of {self.efficiency:g} is impossible; give a share above 0 and "
                 "up to 1."
             )
+        check_rays(self.rays_per_bar)
         if self.statistics not in STATISTICS:
             raise MuyscError(
                 f"There are no statistics “{self.statistics}”; use {' or '.join(STATISTICS)}."

@@ -100,8 +100,7 @@ def grid_around(geometry: TelescopeGeometry, pointing: Pointing, rays_per_bar: f
     MuyscError
         If that is no number from 1 to 50 or takes too much memory.
     """
-    if not 1 <= rays_per_bar <= 50:
-        raise MuyscError(f"{rays_per_bar:g} rays a bar are impossible; give a number from 1 to 50.")
+    check_rays(rays_per_bar)
     x, y = corner_tangents(geometry)
     rim_x = np.concatenate([x, x, np.full(len(y), x[0]), np.full(len(y), x[-1])])
     rim_y = np.concatenate([np.full(len(x), y[0]), np.full(len(x), y[-1]), y, y])
@@ -127,6 +126,18 @@ def grid_around(geometry: TelescopeGeometry, pointing: Pointing, rays_per_bar: f
             "telescope with fewer bars."
         )
     return SkyGrid(np.linspace(left, right, columns), np.linspace(low, high, rows))
+
+
+def check_rays(rays_per_bar: float) -> None:
+    """Refuse a number of rays that is too small to see anything or too large to trace.
+
+    Raises
+    ------
+    MuyscError
+        If it is no number from 1 to 50.
+    """
+    if not 1 <= rays_per_bar <= 50:
+        raise MuyscError(f"{rays_per_bar:g} rays a bar are impossible; give a number from 1 to 50.")
 
 
 def _sees_zenith(geometry: TelescopeGeometry, pointing: Pointing) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import MuyscError
-from ..muogram import Muogram
+from ..muogram import View
 from ..progress import Progress, part, report, silent
 from .dem import Dem
 from .frame import LocalFrame, from_wgs84, local_frame
@@ -36,7 +36,7 @@ class DrapedBlock:
 
 
 def drape(
-    muogram: Muogram, dem: Dem, side: str = "near", progress: Progress = silent
+    muogram: View, dem: Dem, side: str = "near", progress: Progress = silent
 ) -> Iterator[DrapedBlock]:
     """Give each DEM cell that a detector sees the muogram's value in that direction.
 
@@ -80,7 +80,7 @@ def drape(
             yield DrapedBlock(first, values)
 
 
-def check_detector(muogram: Muogram, dem: Dem) -> tuple[LocalFrame, float]:
+def check_detector(muogram: View, dem: Dem) -> tuple[LocalFrame, float]:
     """Return the frame of a muogram's detector on a DEM, and the detector's height (m).
 
     Raises
@@ -93,7 +93,7 @@ def check_detector(muogram: Muogram, dem: Dem) -> tuple[LocalFrame, float]:
 
 
 def _drape_rows(
-    muogram: Muogram,
+    muogram: View,
     frame: LocalFrame,
     eye: float,
     near_field: float,
@@ -109,7 +109,7 @@ def _drape_rows(
     with np.errstate(divide="ignore", invalid="ignore"):
         tangent = (heights - eye - frame.drop(distance)) / distance
     elevation = np.degrees(np.arctan(tangent))
-    pixel = _pixels(muogram, azimuth, elevation)
+    pixel = muogram.pixel_of(azimuth, elevation)
     candidates = np.flatnonzero((pixel >= 0) & (distance > near_field) & np.isfinite(tangent))
     values = np.full(heights.size, np.nan)
     # By azimuth, so that rays traced together need a narrow window of the DEM.
@@ -136,19 +136,3 @@ def _drape_rows(
             seen = np.abs(rock.exit_m[:, 0] * level - range_m) <= tolerance
         values[cells[seen]] = muogram.values.ravel()[pixel.ravel()[cells[seen]]]
     return values.reshape(heights.shape)
-
-
-def _pixels(muogram: Muogram, azimuth: np.ndarray, elevation: np.ndarray) -> np.ndarray:
-    """Return the flat index of the pixel in each direction, −1 outside the muogram."""
-    rows, columns = muogram.values.shape
-    left, right = muogram.azimuth_deg[[0, -1]]
-    top, bottom = muogram.elevation_deg[[0, -1]]
-    step_x = (right - left) / (columns - 1) if columns > 1 else 1.0
-    step_y = (top - bottom) / (rows - 1) if rows > 1 else 1.0
-    # The turn that brings the azimuth into the muogram's own count, 350…370 say.
-    turned = left - step_x / 2 + (azimuth - left + step_x / 2) % 360.0
-    column = np.floor((turned - left) / step_x + 0.5)
-    with np.errstate(invalid="ignore"):
-        row = np.floor((top - elevation) / step_y + 0.5)
-        inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
-        return np.where(inside, row * columns + column, -1).astype(np.int64)

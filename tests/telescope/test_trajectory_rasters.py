@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import MuyscError
-from muysc_qgis.muogram import Muogram, read_muogram, write_muogram
+from muysc_qgis.muogram import Muogram, read_grid, read_muogram, write_muogram
 from muysc_qgis.trajectories import (
     TrajectoryMap,
     read_trajectories,
@@ -31,7 +31,7 @@ def test_there_and_back(tmp_path):
     np.testing.assert_allclose(back.x, written.x, atol=1e-15)
     np.testing.assert_allclose(back.y, written.y, atol=1e-15)
     assert back.quantity == "counts"
-    assert back.metadata["PROJECTION"] == "tangent"
+    assert read_grid(tmp_path / "a.tif").metadata["PROJECTION"] == "tangent"
     np.testing.assert_allclose(back.directions_deg(), written.directions_deg(), atol=1e-9)
 
 
