@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from ..radiography.settings import MAXIMUM_DENSITY_G_CM3, Physics
+from ..radiography.settings import Physics
 from ..radiography.transmission import attenuate
 
-#: Densities tried, g/cm³: from next to nothing to denser than any matter.
+#: Densities tried, g/cm³: from next to nothing to beyond any matter, because a thickness
+#: that is wrong must show as a density that cannot be.
 _LOWEST_G_CM3 = 1e-4
-_HIGHEST_G_CM3 = 2 * MAXIMUM_DENSITY_G_CM3
+_HIGHEST_G_CM3 = 1e4
 
 #: Relative accuracy of the counts at the density found, halvings before the faster
 #: search, and more steps than any region needs.
@@ -52,7 +53,7 @@ def uniform_density(
     -------
     numpy.ndarray
         (n_region,) g/cm³; 0 where more was counted than the open sky gives, NaN where
-        nothing was counted or less than any matter lets through.
+        nothing was counted or less than the densest lets through.
     """
     ln_counts = np.log(np.where(counts > 0, counts, np.nan))
 
