@@ -34,15 +34,15 @@ from .telescope.planning import (
     merged_bins,
     planned_quantities,
 )
-from .telescope.quadrature import corner_tangents, trajectory_means
+from .telescope.quadrature import trajectory_means
 from .telescope.sky_table import (
     FINE_ROWS,
-    LOWEST_DEG,
     Layers,
     SkyGrid,
     SkyTable,
     abrupt_steps,
     grid_around,
+    reaches_horizon,
 )
 from .topography.sight import Sight
 from .topography.tracing import trace_terrain
@@ -185,6 +185,8 @@ def expected_counts(
     )
     rough = table.rough_cells(geometry)
     means = trajectory_means(geometry, table, rough)
+    below = reaches_horizon(geometry, pointing)
+    means[:, below] = np.nan
     report(progress, 0.9)
     collected = trajectories(geometry, formula)
     bins = merged_bins(means, collected, plan)
@@ -214,7 +216,7 @@ def expected_counts(
         {name: TrajectoryMap(name, array, x, y, metadata) for name, array in values.items()},
         bins.means[-1],
         (*terrain_warnings(sight, counts, rock.outcome.size, max_range_m), *muons.warnings),
-        _unknown(rock, table, geometry, rough, plan.merge),
+        _unknown(rock, table, geometry, rough, below, plan.merge),
         geometry,
         pointing,
         plan,
@@ -252,14 +254,25 @@ def _unknown(
     table: SkyTable,
     geometry: TelescopeGeometry,
     rough: np.ndarray,
+    below: np.ndarray,
     merge: int,
 ) -> dict[str, int]:
     """Count the trajectories of which a part cannot be known, by cause."""
-    _, y = table.pointing.sky(*np.meshgrid(*corner_tangents(geometry)))
-    if y.min() > LOWEST_DEG and not any(
-        np.isnan(layers.logarithmic[0]).any() for layers in (table.coarse, table.fine)
-    ):
-        return {}
+    horizon = "part of it looks at or below the horizon, where no flux model has an answer"
+    touched = {horizon: merge_sum(below.astype(float), merge) > 0}
+    if any(np.isnan(layers.logarithmic[0]).any() for layers in (table.coarse, table.fine)):
+        touched |= _unknown_rock(rock, table, geometry, rough, merge)
+    return {cause: int(np.count_nonzero(one)) for cause, one in touched.items() if one.any()}
+
+
+def _unknown_rock(
+    rock: RockPaths,
+    table: SkyTable,
+    geometry: TelescopeGeometry,
+    rough: np.ndarray,
+    merge: int,
+) -> dict[str, np.ndarray]:
+    """Return the trajectories along which the rock or its flux is unknown, by cause."""
     outcome = rock.outcome.T
     causes = {
         "a ray reaches the edge of the DEM in rock": Outcome.EDGE,
@@ -281,13 +294,6 @@ def _unknown(
     )
 
     def reasons(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        below = table.pointing.sky(x, y)[1] < LOWEST_DEG
-        return np.concatenate([below[None].astype(float), np.where(below, 0.0, masks(x, y))])
+        return np.nan_to_num(masks(x, y))
 
-    touched = merge_sum(trajectory_means(geometry, reasons, rough), merge) > 0
-    horizon = "part of it looks at or below the horizon, where no flux model has an answer"
-    return {
-        cause: int(np.count_nonzero(one))
-        for cause, one in zip((horizon, *causes), touched)
-        if one.any()
-    }
+    return dict(zip(causes, merge_sum(trajectory_means(geometry, reasons, rough), merge) > 0))

@@ -128,6 +128,21 @@ def grid_around(geometry: TelescopeGeometry, pointing: Pointing, rays_per_bar: f
     return SkyGrid(np.linspace(left, right, columns), np.linspace(low, high, rows))
 
 
+def reaches_horizon(geometry: TelescopeGeometry, pointing: Pointing) -> np.ndarray:
+    """Return which trajectories look, in part, at or below the horizon.
+
+    Returns
+    -------
+    numpy.ndarray
+        (2 N_y − 1, 2 N_x − 1) of bool.
+    """
+    _, height = pointing.sky(*np.meshgrid(*corner_tangents(geometry)))
+    below = height < LOWEST_DEG
+    # A response reaches as far as the middles of the neighbours.
+    across = below[:, :-2] | below[:, 1:-1] | below[:, 2:]
+    return np.asarray(across[:-2] | across[1:-1] | across[2:])
+
+
 def check_rays(rays_per_bar: float) -> None:
     """Refuse a number of rays that is too small to see anything or too large to trace.
 
@@ -291,8 +306,8 @@ class SkyTable:
     def rough_cells(self, geometry: TelescopeGeometry) -> np.ndarray:
         """Return the cells between trajectories in which something changes abruptly.
 
-        Those that the border between rock and sky crosses, or the horizon, and those in
-        which a logarithmic quantity changes by more than a third from one ray to the next.
+        Those that the border between rock and sky crosses, and those in which a
+        logarithmic quantity changes by more than a third from one ray to the next.
 
         Returns
         -------
@@ -301,10 +316,7 @@ class SkyTable:
         """
         sky = self.coarse.sky
         beside = (sky[:, 1:] != sky[:, :-1]) | _jumps(self.coarse.logarithmic, axis=1)
-        _, height = self.pointing.sky(*np.meshgrid(*corner_tangents(geometry)))
-        below = height < LOWEST_DEG
-        rough = below[1:, 1:] != below[:-1, :-1]
-        rough |= below[1:, :-1] != below[:-1, 1:]
+        rough = np.zeros((2 * geometry.bars_y, 2 * geometry.bars_x), dtype=bool)
         azimuth, elevation = self.grid.azimuth_deg, self.grid.elevation_deg
         for (row, column), (down, right) in (
             (np.nonzero(beside), (0, 1)),
