@@ -215,13 +215,27 @@ def expected_counts(
     return TelescopeCounts(
         {name: TrajectoryMap(name, array, x, y, metadata) for name, array in values.items()},
         bins.means[-1],
-        (*terrain_warnings(sight, counts, rock.outcome.size, max_range_m), *muons.warnings),
+        (
+            *_all_sky(bins.means[-1]),
+            *terrain_warnings(sight, counts, rock.outcome.size, max_range_m),
+            *muons.warnings,
+        ),
         _unknown(rock, table, geometry, rough, below, plan.merge),
         geometry,
         pointing,
         plan,
         thickness.size,
         grid,
+    )
+
+
+def _all_sky(rock_share: np.ndarray) -> tuple[str, ...]:
+    known = np.isfinite(rock_share)
+    if not known.any() or np.any(rock_share[known] > 0):
+        return ()
+    return (
+        f"All {np.count_nonzero(known)} known trajectories see only sky: check detector, target "
+        "and boresight.",
     )
 
 

@@ -215,14 +215,39 @@ def test_trajectories_at_the_horizon_are_unknown_and_counted(counted):
     assert counted.unknown[cause] == unknown.sum()
 
 
-def test_a_small_dem_leaves_trajectories_unknown(sight, at_target, data_folder):
-    # Behind the summit the range of the DEM's edge: rays that end in rock.
+def test_rock_without_a_flux_is_unknown_and_counted(sight):
+    # The range law of the paper ends at 613 m of rock: all but the summit of the cone.
+    pointing = Pointing(sight.boresight_azimuth_deg, 25.0)
+    physics = Physics(energy_loss="paper")
+    result = expected_counts(sight, TELESCOPE, pointing, physics, CountingPlan())
+    ((cause, number),) = result.unknown.items()
+    assert "energy loss has no answer" in cause
+    assert number == result.unknown_trajectories > 0
+    whole = expected_counts(sight, TELESCOPE, pointing, PHYSICS, CountingPlan())
+    assert whole.unknown_trajectories == 0
+    lost = np.isnan(result.maps["counts"].values)
+    assert np.all(whole.rock_share[lost] > 0)
+    # The thickness is known where the flux is not.
+    assert np.all(np.isfinite(result.maps["thickness"].values))
+
+
+def test_rays_to_the_edge_of_the_dem_are_unknown_and_counted(data_folder):
+    # From the crater's floor of a DEM that ends within the cone behind it.
     dem = open_dem(data_folder / "vesuvius_srtmgl1.tif")
-    near_edge = take_sight(dem, (14.4955, 40.8), (14.424745, 40.823729))
-    away = Pointing((near_edge.boresight_azimuth_deg + 180) % 360, 12.0)
-    result = expected_counts(near_edge, TELESCOPE, away, PHYSICS, CountingPlan())
-    assert result.trajectories == 225
-    assert result.unknown_trajectories == np.isnan(result.maps["flux"].values).sum()
+    sight = take_sight(dem, (14.3505, 40.8305), (14.42, 40.825), -300.0)
+    west = Pointing(270.0, 8.0)
+    result = expected_counts(sight, TELESCOPE, west, PHYSICS, CountingPlan())
+    (edge,) = [cause for cause in result.unknown if "edge of the DEM" in cause]
+    unknown = np.isnan(result.maps["thickness"].values)
+    assert result.unknown[edge] > 0
+    assert unknown.sum() >= result.unknown[edge]
+    assert any("edge of the DEM in rock" in warning for warning in result.warnings)
+
+
+def test_all_sky_is_done_with_a_warning(sight):
+    result = expected_counts(sight, TELESCOPE, Pointing(220.0, 60.0), PHYSICS, CountingPlan())
+    assert "All 225 known trajectories see only sky" in result.warnings[0]
+    assert np.isnan(result.median("exposure"))
 
 
 def test_maps_describe_themselves(counted, at_target):
