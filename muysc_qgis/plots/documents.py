@@ -72,8 +72,9 @@ def figures(
         ReportFigure(
             "Rock thickness along each ray and muon flux behind it. The line is the skyline, the "
             "mark the target.",
-            png_bytes(panel(simulation), _REPORT_DPI),
+            png_bytes(panel(simulation)),
             "Muograms of thickness and flux",
+            is_panel=True,
         )
     ]
     if sight is not None and aperture is not None:

@@ -15,7 +15,7 @@ _OUTSIDE_PERCENT = 0.5
 
 #: Decades that a logarithmic scale spans at most: past that the mountain
 #: itself would be left with a few shades.
-_DECADES = 3.0
+_DECADES = 4.0
 _DECADES_OF_DEPTH = 2.0
 
 #: Quantities proportional to the rock crossed. They run towards zero at the
@@ -37,11 +37,11 @@ def colour_limits(values: np.ndarray, quantity: Quantity) -> tuple[float, float]
     """Return the values at the two ends of a quantity's colour scale.
 
     Half a percent of the values is left out at each end. A logarithmic scale
-    looks at positive values only and spans at most three decades: the upper
+    looks at positive values only and spans at most four decades: the upper
     ones for the minimum energy, the middle ones for the others, so that
     neither the open sky nor the thickest rock uses up the scale. For thickness
     and opacity it is the upper two decades, for counts the upper five, and for
-    errors and the time to see something the lower three.
+    errors and the time to see something the lower four.
 
     Parameters
     ----------

@@ -87,8 +87,9 @@ def figures(result: DensityResult) -> list[ReportFigure]:
         ReportFigure(
             "Mean density along each ray and its error, one standard deviation. Lines are the "
             "skyline and the rock thickness.",
-            png_bytes(panel(result), _REPORT_DPI),
+            png_bytes(panel(result)),
             "Muograms of density and of its error",
+            is_panel=True,
         ),
         ReportFigure(
             f"What the density follows from, and its interval. Flags: {meanings}.",

@@ -16,8 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
 
-#: Length of a colour bar's arrow (inches).
+#: Length of a colour bar's arrow, and the room that one of its labels takes (inches).
 _ARROW_IN = 0.16
+_LABEL_IN = 0.45
 
 
 def draw_pixels(
@@ -178,6 +179,7 @@ def add_colour_bar(axes: Axes, muogram: Muogram, scale: ScalarMappable, label: s
     )
     if muogram.kind.logarithmic:
         positions = ticks.logarithmic_ticks(low, high)
+        positions = positions[:: int(np.ceil(len(positions) * _LABEL_IN / size_in(axes)[0]))]
     else:
         positions = ticks.multiples(low, high, ticks.round_step(high - low, 5))
     bar.set_ticks(positions, labels=[ticks.number_label(position) for position in positions])

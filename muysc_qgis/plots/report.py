@@ -56,6 +56,8 @@ class ReportFigure:
     caption: str
     png: bytes
     alternative: str = ""
+    #: Whether this picture is the panel, which may be an output of its own.
+    is_panel: bool = False
 
 
 @dataclass(frozen=True)

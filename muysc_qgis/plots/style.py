@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 #: Width of every figure (inches): 1200 pixels at 120 dots per inch.
 WIDTH_IN = 10.0
 #: Dots per inch of a PNG unless the caller says otherwise.
-DPI = 150
+DPI = 130
 
 #: Text sizes (points).
 TITLE_SIZE = 12.0

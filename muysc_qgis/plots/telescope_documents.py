@@ -74,8 +74,9 @@ def report(
         ReportFigure(
             "The telescope with a muon, what it sees, and its acceptance by both formulas; below, "
             "maps over all trajectories with their sections across and along the diagonal.",
-            png_bytes(telescope_panel(collected, name), _REPORT_DPI),
+            png_bytes(telescope_panel(collected, name)),
             "Drawing, aperture and acceptance of the telescope",
+            is_panel=True,
         ),
         ReportFigure(
             "The telescope beside those that were built. The effective area is the acceptance "
@@ -143,8 +144,9 @@ def counts_report(
         ReportFigure(
             "Counts on the mountain, their error, the smallest decrease of the density that they "
             "show, and the days that the contrast takes. Thin lines are azimuths and elevations.",
-            png_bytes(counts_panel(counts, name), _REPORT_DPI),
+            png_bytes(counts_panel(counts, name)),
             "Maps of counts and of what they show, in telescope angles",
+            is_panel=True,
         ),
         ReportFigure(
             "Exposure time, counts of the open sky, mean flux and mean thickness on the same "

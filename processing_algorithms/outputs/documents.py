@@ -108,10 +108,9 @@ def stage_drawn(
     try:
         from ...muysc_qgis.plots.documents import Parameter
         from ...muysc_qgis.plots.report import write_report
-        from ...muysc_qgis.plots.style import save_png
+        from ...muysc_qgis.plots.style import png_bytes
 
-        if "PANEL" in staged:
-            save_png(panel(), staged["PANEL"])
+        drawn = None
         if "REPORT" in staged:
             content = report(
                 _told(algorithm, parameters, context, Parameter),
@@ -121,6 +120,10 @@ def stage_drawn(
                 {"QGIS": Qgis.QGIS_VERSION, "GDAL": gdal.__version__},
             )  # fmt: skip
             write_report(staged["REPORT"], content)
+            # The report may hold the panel already: drawing takes longer than all else.
+            drawn = next((figure.png for figure in content.figures if figure.is_panel), None)
+        if "PANEL" in staged:
+            staged["PANEL"].write_bytes(png_bytes(panel()) if drawn is None else drawn)
     except ImportError as error:
         feedback.pushWarning(
             f"Panel and report need the Python library {error.name}, which is missing; the "

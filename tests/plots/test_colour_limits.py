@@ -34,7 +34,7 @@ def test_limits_always_make_a_scale(name, values):
 
 @pytest.mark.parametrize(
     ("name", "decades"),
-    [("thickness", 2), ("opacity", 2), ("flux", 3), ("exposure", 3), ("minimum_energy", 3)],
+    [("thickness", 2), ("opacity", 2), ("flux", 4), ("exposure", 4), ("minimum_energy", 4)],
 )
 def test_a_logarithmic_scale_spans_no_more_than_its_decades(name, decades):
     low, high = colour_limits(np.geomspace(1e-4, 1e4, 10_001), QUANTITIES[name])
