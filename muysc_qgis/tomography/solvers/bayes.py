@@ -1,0 +1,138 @@
+"""The mean of the densities given data and a Gaussian prior, and how sure they are."""
+
+from __future__ import annotations
+
+import inspect
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...errors import MuyscError
+from ...progress import Progress, part, report
+from ..libraries import scipy_part
+from ..system import System
+from .options import Reconstruction, Settings, misfit
+
+#: Relative accuracy of the linear solutions.
+_ACCURACY = 1e-5
+
+#: Most rays for which the posterior's errors are computed in full.
+_MOST_DENSE = 2000
+
+#: Most numbers of the dense matrices of the full computation.
+_MOST_NUMBERS = 1 << 25
+
+
+def solve(system: System, settings: Settings, progress: Progress) -> Reconstruction:
+    """Return ρ₀ + C Aᵀ (A C Aᵀ + Σ)⁻¹ (b − A ρ₀) with C = σρ² exp(−d/ℓ), Σ the data's variances.
+
+    Tarantola 2005 (doi:10.1137/1.9780898717921), section 3.2. Densities are not kept above zero,
+    which no Gaussian is. The posterior's standard deviations follow in full for up to 2000 rays;
+    for more, from draws of prior and data if asked for: the error of each draw's solution is a
+    draw of the posterior, so that n draws give deviations to a relative 1/√(2n).
+
+    Raises
+    ------
+    MuyscError
+        If the errors of the data are not known.
+    """
+    if system.errors is None:
+        raise MuyscError(
+            "The Bayesian method weighs data against the prior, so it needs the standard errors of "
+            "the data, which are missing; give them or choose another method."
+        )
+    posterior = _Posterior.of(system, settings)
+    prior = (
+        settings.start
+        if settings.prior_density is None
+        else np.full(system.lattice.count, settings.prior_density)
+    )
+    residual = system.data - system.paths.forward(prior)
+    draws = settings.posterior_samples
+    n_rays, n_unknowns = system.paths.shape
+    dense = n_rays <= _MOST_DENSE and n_rays * n_unknowns <= _MOST_NUMBERS
+    whole = part(progress, 0.0, 1.0 if dense or not draws else 1.0 / (1 + draws))
+    change, done, finished = posterior.update(residual, whole)
+    deviation = None
+    if dense:
+        deviation = posterior.full_deviation()
+    elif draws:
+        deviation = posterior.sampled_deviation(draws, part(progress, 1.0 / (1 + draws), 1.0))
+    report(progress, 1.0)
+    values = prior + change
+    after = system.data - system.paths.forward(values)
+    return Reconstruction(
+        values, done, "converged" if finished else "iterations",
+        np.array([misfit(system, residual), misfit(system, after)]), deviation=deviation,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Posterior:
+    """A, C and Σ, with the data in units of their errors."""
+
+    system: System
+    settings: Settings
+    covariance: Any
+    #: (n_rays,) 1/σ.
+    scale: np.ndarray
+
+    @classmethod
+    def of(cls, system: System, settings: Settings) -> _Posterior:
+        covariance = system.lattice.covariance(
+            settings.prior_deviation, settings.correlation_length_m
+        )
+        errors = np.asarray(system.errors, float)
+        return cls(system, settings, covariance, 1.0 / errors)
+
+    def update(self, residual: np.ndarray, progress: Progress) -> tuple[np.ndarray, int, bool]:
+        """Return C Aᵀ (A C Aᵀ + Σ)⁻¹ residual, the iterations, and whether they sufficed."""
+        linear = scipy_part("sparse.linalg")
+        paths, scale, most = self.system.paths, self.scale, self.settings.iterations
+        done = [0]
+
+        def product(y: np.ndarray) -> np.ndarray:
+            report(progress, min(1.0, done[0] / most))
+            return y + scale * paths.forward(self.covariance(paths.back(scale * y).astype(float)))
+
+        def count(_: np.ndarray) -> None:
+            done[0] += 1
+
+        n_rays = paths.shape[0]
+        operator = linear.LinearOperator((n_rays, n_rays), matvec=product, dtype=float)
+        # The accuracy has another name in scipy before 1.12.
+        accuracy = "rtol" if "rtol" in inspect.signature(linear.cg).parameters else "tol"
+        solution, left = linear.cg(
+            operator, scale * residual, maxiter=most, callback=count, atol=0.0,
+            **{accuracy: _ACCURACY},
+        )  # fmt: skip
+        change = self.covariance(paths.back(scale * solution).astype(float))
+        return change, done[0], left == 0
+
+    def full_deviation(self) -> np.ndarray:
+        """Return √diag(C − C Aᵀ (A C Aᵀ + Σ)⁻¹ A C)."""
+        linalg = scipy_part("linalg")
+        paths, scale = self.system.paths, self.scale
+        rows = np.concatenate([block.toarray() for _, block in paths.blocks()]).astype(float)
+        rows *= scale[:, None]
+        spread = np.stack([self.covariance(row) for row in rows])
+        inner = spread @ rows.T
+        inner[np.diag_indices_from(inner)] += 1.0
+        factor = linalg.cholesky(0.5 * (inner + inner.T), lower=True)
+        half = linalg.solve_triangular(factor, spread, lower=True)
+        variance = self.settings.prior_deviation**2 - np.sum(half**2, axis=0)
+        return np.sqrt(np.maximum(variance, 0.0))
+
+    def sampled_deviation(self, draws: int, progress: Progress) -> np.ndarray:
+        """Return the standard deviations of draws from the posterior."""
+        generator = np.random.default_rng(self.settings.seed)
+        paths = self.system.paths
+        square = np.zeros(paths.shape[1])
+        for draw in range(draws):
+            truth = self.covariance.sample(generator)
+            noise = generator.standard_normal(paths.shape[0]) / self.scale
+            share = part(progress, draw / draws, (draw + 1) / draws)
+            estimate, _, _ = self.update(paths.forward(truth) + noise, share)
+            square += (truth - estimate) ** 2
+        return np.sqrt(square / draws)
