@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import statistics
 import tempfile
 import time
@@ -35,6 +36,8 @@ os._exit(0)
 
 
 def main() -> None:
+    # Users' machines keep the compiled modules; some development machines are told not to.
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     with tempfile.TemporaryDirectory() as folder:
         profile = Path(folder)
         (profile / "out").mkdir()

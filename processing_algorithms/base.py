@@ -112,6 +112,8 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
             self.read(parameters, context)
         except MuyscError as error:
             return False, str(error)
+        except ImportError as error:
+            return False, _missing(error)
         return super().checkParameterValues(parameters, context)
 
     def processAlgorithm(
@@ -131,6 +133,8 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
             raise QgsProcessingException(str(error)) from error
         except Cancelled:
             raise QgsProcessingException("Cancelled; nothing was written.") from None
+        except ImportError as error:
+            raise QgsProcessingException(_missing(error)) from error
         except MemoryError:
             raise QgsProcessingException(
                 "There is not enough memory for this; use fewer pixels or a shorter range."
@@ -169,6 +173,15 @@ def progress_of(feedback: QgsProcessingFeedback, start: float, end: float) -> Pr
         return not feedback.isCanceled()
 
     return progress
+
+
+def _missing(error: ImportError) -> str:
+    """Return how to get the library that could not be imported."""
+    library = (error.name or "").split(".")[0]
+    return (
+        f"The Python library {library} is missing; install it for the Python of QGIS "
+        f"(python3-{library} on Debian and in the OSGeo4W setup on Windows)."
+    )
 
 
 def _plain(value: Any) -> Any:

@@ -162,3 +162,16 @@ def test_destinations_that_would_lose_something(refused, vesuvius, tmp_path):
     assert "Two outputs" in refused(OPACITY=twice, EXPOSURE=twice)
     assert ".tif" in refused(OPACITY=str(tmp_path / "opacity.asc"))
     assert ".png" in refused(PANEL=str(tmp_path / "panel.txt"))
+
+
+def test_a_missing_library_is_named_with_the_remedy(refused, monkeypatch):
+    import sys
+
+    # None makes every import of it fail, as where it is not installed.
+    for name in [name for name in sys.modules if name.split(".")[0] == "pyproj"]:
+        monkeypatch.setitem(sys.modules, name, None)
+    monkeypatch.setitem(sys.modules, "pyproj", None)
+    said = refused()
+    assert "library pyproj is missing" in said
+    assert_one_sentence(said)
+    assert "python3-pyproj" in said
