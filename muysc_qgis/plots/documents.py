@@ -180,7 +180,8 @@ def report(
     """
     flux = simulation.muograms["flux"]
     total = flux.values.size
-    pixels = [PixelCount("with rock", simulation.rock_pixels)]
+    sky = int(np.count_nonzero(simulation.muograms["opacity"].values == 0))
+    pixels = [PixelCount("with rock", simulation.rock_pixels), PixelCount("open sky", sky)]
     pixels += [
         PixelCount("unknown", count, cause) for cause, count in simulation.unknown.items() if count
     ]

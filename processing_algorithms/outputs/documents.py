@@ -31,6 +31,9 @@ if TYPE_CHECKING:
 
     from ...muysc_qgis.plots.report import Report
 
+#: Units that labels of parameters end with.
+_UNITS = ("m", "cm", "°", "g/cm³", "cm² sr", "GeV", "days", "%")
+
 _SUFFIXES = {"PANEL": ".png", "REPORT": ".html"}
 
 
@@ -184,7 +187,7 @@ def _told(
 
 def _split_unit(label: str) -> tuple[str, str]:
     """Return “Density (g/cm³, empty: …)” as label and unit."""
-    match = re.match(r"^(.*?) \(([^,)]+)(?:,.*)?\)$", label)
-    if match and match.group(1) != "Elevation model":
+    match = re.match(r"^(.*?) \(([^,)]+)(?:, (.*))?\)$", label)
+    if match and match.group(2) in _UNITS:
         return match.group(1), match.group(2)
     return label, ""
