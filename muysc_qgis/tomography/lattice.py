@@ -133,18 +133,29 @@ class _Covariance:
         kernel = deviation**2 * np.exp(-np.sqrt(square) / length_m)
         self.eigenvalues = np.maximum(self._fft.rfftn(kernel).real, 0.0)
 
+    @property
+    def root_size(self) -> int:
+        """Number of columns of the root."""
+        return math.prod(self._shape)
+
     def _filtered(self, field: np.ndarray, spectrum: np.ndarray) -> np.ndarray:
-        transformed = self._fft.rfftn(field, s=self._shape)
+        transformed = self._fft.rfftn(field, s=self._shape, workers=-1)
         transformed *= spectrum
-        result = self._fft.irfftn(transformed, s=self._shape)
+        return self._fft.irfftn(transformed, s=self._shape, workers=-1)
+
+    def _inside(self, field: np.ndarray) -> np.ndarray:
         inside = tuple(slice(n) for n in self._lattice.active.shape)
-        return result[inside][self._lattice.active]
+        return field[inside][self._lattice.active]
 
     def __call__(self, values: np.ndarray) -> np.ndarray:
         """Return C values, (count,)."""
-        return self._filtered(self._lattice.expand(values, 0.0), self.eigenvalues)
+        return self._inside(self._filtered(self._lattice.expand(values, 0.0), self.eigenvalues))
 
-    def sample(self, generator: np.random.Generator) -> np.ndarray:
-        """Return one draw from the prior, of zero mean, (count,)."""
-        noise = generator.standard_normal(self._shape)
-        return self._filtered(noise, np.sqrt(self.eigenvalues))
+    def root(self, noise: np.ndarray) -> np.ndarray:
+        """Return B noise, (count,), with B Bᵀ = C: white noise makes a draw from the prior."""
+        return self._inside(self._filtered(noise.reshape(self._shape), np.sqrt(self.eigenvalues)))
+
+    def root_transposed(self, values: np.ndarray) -> np.ndarray:
+        """Return Bᵀ values, (root_size,)."""
+        field = self._lattice.expand(values, 0.0)
+        return self._filtered(field, np.sqrt(self.eigenvalues)).ravel()

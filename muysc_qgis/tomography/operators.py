@@ -71,6 +71,13 @@ class Projector(ABC):
             total += block.multiply(block).T @ part
         return total
 
+    def coverage(self) -> np.ndarray:
+        """Return how many rays meet each unknown, (n_unknowns,)."""
+        total = np.zeros(self.shape[1], np.int64)
+        for _, block in self.blocks():
+            total += np.bincount(block.indices, minlength=self.shape[1])
+        return total
+
     def chunks(self, order: np.ndarray) -> Iterator[Any]:
         """Yield CSR matrices of rows in an order, few rows at a time."""
         for first in range(0, len(order), _ROWS):

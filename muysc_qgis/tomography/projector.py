@@ -12,9 +12,9 @@ import numpy as np
 from ..errors import MuyscError
 from ..progress import Progress, report, silent
 from .crossings import Lines, Stretches, count_pieces, cut
-from .ground import within_volume
 from .libraries import scipy_part
 from .rays import Rays
+from .rock import within_volume
 from .voxels import VoxelGrid
 
 #: Bytes of one stored length: float32 and a 32-bit column.

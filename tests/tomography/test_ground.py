@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import Cancelled, MuyscError
-from muysc_qgis.tomography.ground import HeightField, holds_rock, rock_along, rock_fraction
+from muysc_qgis.tomography.ground import HeightField, holds_rock, rock_fraction
 from muysc_qgis.tomography.projector import path_matrix, paths_through
 from muysc_qgis.tomography.rays import rays_from_station
+from muysc_qgis.tomography.rock import rock_along
 from muysc_qgis.tomography.voxels import VoxelGrid
 
 GRID = VoxelGrid((-300, -200, 0), (20, 25, 10), (30, 16, 30))

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import Cancelled, MuyscError
+from muysc_qgis.tomography import libraries
 from muysc_qgis.tomography.crossings import Stretches
 from muysc_qgis.tomography.operators import RecomputedPaths, StoredPaths, projector_of
 from muysc_qgis.tomography.projector import (
@@ -171,6 +172,7 @@ def test_recomputing_gives_the_same_products_as_the_matrix():
         square = stored.matrix.toarray().astype(float) ** 2
         assert projector.row_squares() == pytest.approx(square.sum(axis=1), rel=1e-5)
         assert projector.column_squares(y) == pytest.approx(y @ square, rel=1e-4)
+        assert projector.coverage().tolist() == np.count_nonzero(square, axis=0).tolist()
         parts = projector.grouped([np.array([5, 2]), np.array([7])])
         assert parts[0].forward(x) == pytest.approx(stored.forward(x)[[5, 2]], rel=1e-5)
         assert parts[1].forward(x) == pytest.approx(stored.forward(x)[[7]], rel=1e-5)
@@ -190,6 +192,15 @@ def test_the_projector_is_stored_where_it_fits():
     paths = paths_through(GRID, random_rays(50))
     assert isinstance(projector_of(paths), StoredPaths)
     assert isinstance(projector_of(paths, limit=1000), RecomputedPaths)
+
+
+def test_without_scipy_the_user_is_told_what_to_install(monkeypatch):
+    def missing(name):
+        raise ImportError(name)
+
+    monkeypatch.setattr(libraries.importlib, "import_module", missing)
+    with pytest.raises(MuyscError, match="needs the Python package scipy"):
+        path_matrix(paths_through(GRID, random_rays(5)))
 
 
 def test_building_can_be_stopped():

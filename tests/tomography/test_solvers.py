@@ -267,8 +267,13 @@ def test_the_covariance_of_missing_voxels_is_that_of_the_rest():
     product = np.stack([covariance(unit) for unit in np.eye(lattice.count)])
     assert product == pytest.approx(0.25 * np.exp(-distance / 25), abs=2e-3)
     drawn = np.random.default_rng(1)
-    samples = np.stack([covariance.sample(drawn) for _ in range(4000)])
-    assert np.cov(samples.T) == pytest.approx(product, abs=0.03)
+    noise = drawn.standard_normal((3, covariance.root_size))
+    for one in noise:
+        # B Bᵀ = C, and Bᵀ is the transpose of B.
+        value = drawn.standard_normal(lattice.count)
+        back = covariance.root_transposed(value)
+        assert covariance.root(back) == pytest.approx(covariance(value))
+        assert value @ covariance.root(one) == pytest.approx(back @ one)
 
 
 def test_neighbours_do_not_reach_across_air():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +14,7 @@ from ..system import System
 from .options import Reconstruction, Settings, misfit
 
 #: Relative accuracy of the linear solutions.
-_ACCURACY = 1e-5
+_ACCURACY = 1e-6
 
 #: Most rays for which the posterior's errors are computed in full.
 _MOST_DENSE = 2000
@@ -87,28 +86,31 @@ class _Posterior:
         return cls(system, settings, covariance, 1.0 / errors)
 
     def update(self, residual: np.ndarray, progress: Progress) -> tuple[np.ndarray, int, bool]:
-        """Return C Aᵀ (A C Aᵀ + Σ)⁻¹ residual, the iterations, and whether they sufficed."""
+        """Return C Aᵀ (A C Aᵀ + Σ)⁻¹ residual, the iterations, and whether they sufficed.
+
+        With C = B Bᵀ it is B z for the z that minimises ‖Σ^-½ (residual − A B z)‖² + ‖z‖². LSMR
+        lowers that from the first step on, so that too few of them leave a smoother model.
+        """
         linear = scipy_part("sparse.linalg")
         paths, scale, most = self.system.paths, self.scale, self.settings.iterations
-        done = [0]
+        products = [0]
 
-        def product(y: np.ndarray) -> np.ndarray:
-            report(progress, min(1.0, done[0] / most))
-            return y + scale * paths.forward(self.covariance(paths.back(scale * y).astype(float)))
+        def forward(z: np.ndarray) -> np.ndarray:
+            products[0] += 1
+            report(progress, min(1.0, products[0] / (most + 1)))
+            return scale * paths.forward(self.covariance.root(z))
 
-        def count(_: np.ndarray) -> None:
-            done[0] += 1
+        def back(y: np.ndarray) -> np.ndarray:
+            return self.covariance.root_transposed(paths.back(scale * y))
 
-        n_rays = paths.shape[0]
-        operator = linear.LinearOperator((n_rays, n_rays), matvec=product, dtype=float)
-        # The accuracy has another name in scipy before 1.12.
-        accuracy = "rtol" if "rtol" in inspect.signature(linear.cg).parameters else "tol"
-        solution, left = linear.cg(
-            operator, scale * residual, maxiter=most, callback=count, atol=0.0,
-            **{accuracy: _ACCURACY},
-        )  # fmt: skip
-        change = self.covariance(paths.back(scale * solution).astype(float))
-        return change, done[0], left == 0
+        operator = linear.LinearOperator(
+            (paths.shape[0], self.covariance.root_size), matvec=forward, rmatvec=back, dtype=float
+        )
+        solution, reason, done = linear.lsmr(
+            operator, scale * residual, damp=1.0, atol=_ACCURACY, btol=_ACCURACY, conlim=0,
+            maxiter=most,
+        )[:3]  # fmt: skip
+        return self.covariance.root(solution), int(done), reason != 7
 
     def full_deviation(self) -> np.ndarray:
         """Return √diag(C − C Aᵀ (A C Aᵀ + Σ)⁻¹ A C)."""
@@ -130,7 +132,7 @@ class _Posterior:
         paths = self.system.paths
         square = np.zeros(paths.shape[1])
         for draw in range(draws):
-            truth = self.covariance.sample(generator)
+            truth = self.covariance.root(generator.standard_normal(self.covariance.root_size))
             noise = generator.standard_normal(paths.shape[0]) / self.scale
             share = part(progress, draw / draws, (draw + 1) / draws)
             estimate, _, _ = self.update(paths.forward(truth) + noise, share)

@@ -81,8 +81,6 @@ def solve_bart(system: System, settings: Settings, progress: Progress) -> Recons
 
 def _averaged_squares(paths: Projector) -> np.ndarray:
     """Return Σⱼ sⱼ aᵢⱼ² for each ray, sⱼ being the rays that meet voxel j."""
-    meeting = np.zeros(paths.shape[1])
-    for _, block in paths.blocks():
-        meeting += np.bincount(block.indices, minlength=paths.shape[1])
+    meeting = paths.coverage().astype(float)
     parts = [block.multiply(block) @ meeting for _, block in paths.blocks()]
     return np.concatenate([np.zeros(0), *parts])
