@@ -98,9 +98,7 @@ def check_destination(target: Path, inputs: tuple[str, ...] = ()) -> None:
     for name in inputs:
         source = Path(name)
         if source.exists() and target.exists() and source.samefile(target):
-            raise MuyscError(
-                f"The output {target} is the input itself; choose another file name."
-            )
+            raise MuyscError(f"The output {target} is the input itself; choose another file name.")
     if target.is_dir():
         raise MuyscError(f"The output {target} is a folder; give a file name in it.")
     folder = target.parent

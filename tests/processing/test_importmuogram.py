@@ -28,7 +28,11 @@ def reference(tmp_path):
     }  # fmt: skip
     write_muogram(
         Muogram(
-            "thickness", np.full((2, 2), 900.0), np.array([10.0, 11.0]), np.array([11.0, 10.0]), metadata
+            "thickness",
+            np.full((2, 2), 900.0),
+            np.array([10.0, 11.0]),
+            np.array([11.0, 10.0]),
+            metadata,
         ),
         path,
     )
