@@ -22,6 +22,13 @@ _DECADES_OF_DEPTH = 2.0
 #: skyline, where nothing is to be seen: their upper decades are kept.
 _DEPTHS = ("thickness", "opacity")
 
+#: Decades between the sky and the scale at most: the flux falls by as many behind the
+#: first few hundred metres of rock.
+_DECADES_TO_THE_SKY = 2.5
+
+#: Quantities that are largest in the thickest rock, and smallest in the sky.
+_GROWING = ("exposure",)
+
 #: What a telescope is to reach: the least is the best, and the lower decades are kept.
 _GOALS = ("relative_error", "density_resolution", "contrast_days")
 
@@ -38,8 +45,9 @@ def colour_limits(values: np.ndarray, quantity: Quantity) -> tuple[float, float]
 
     Half a percent of the values is left out at each end. A logarithmic scale
     looks at positive values only and spans at most four decades: the upper
-    ones for the minimum energy, the middle ones for the others, so that
-    neither the open sky nor the thickest rock uses up the scale. For thickness
+    ones for the minimum energy; for flux, transmission and exposure those of the
+    thickest rock, so that the open sky is of one colour and the mountain is not,
+    but beginning no more than two and a half decades from the sky. For thickness
     and opacity it is the upper two decades, for counts the upper five, and for
     errors and the time to see something the lower four.
 
@@ -84,7 +92,10 @@ def _logarithmic(low: float, high: float, quantity: Quantity) -> tuple[float, fl
         return high / 10**decades, high
     if quantity.name in _GOALS:
         return low, low * 10**decades
-    return float(low * 10 ** (excess / 2)), float(high / 10 ** (excess / 2))
+    left_out = 10 ** min(excess, _DECADES_TO_THE_SKY)
+    if quantity.name in _GROWING:
+        return low * left_out, low * left_out * 10**decades
+    return high / left_out / 10**decades, high / left_out
 
 
 def _linear(low: float, high: float) -> tuple[float, float]:

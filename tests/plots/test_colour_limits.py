@@ -48,9 +48,32 @@ def test_thickness_keeps_its_upper_decades():
     assert low == pytest.approx(high / 100)
 
 
-def test_flux_keeps_the_middle_of_its_range():
-    low, high = colour_limits(np.geomspace(1e-4, 1e4, 10_001), QUANTITIES["flux"])
-    assert np.sqrt(low * high) == pytest.approx(1.0, rel=0.01)
+@pytest.fixture
+def mountain():
+    """Half sky, half rock whose flux falls evenly by five and a half decades."""
+    return np.concatenate([np.full(5000, 120.0), 120.0 / np.geomspace(1.0, 10**5.5, 5000)])
+
+
+@pytest.mark.parametrize("name", ["flux", "transmission", "flux_minimum"])
+def test_the_thickest_rock_keeps_its_colours_and_the_sky_is_of_one(mountain, name):
+    low, high = colour_limits(mountain, QUANTITIES[name])
+    assert low == pytest.approx(mountain.min(), rel=0.2)
+    assert high == pytest.approx(1e4 * low)
+    assert high < 120.0
+
+
+def test_the_exposure_behind_the_thickest_rock_keeps_its_colours(mountain):
+    low, high = colour_limits(1.0 / mountain, QUANTITIES["exposure"])
+    assert high == pytest.approx(1.0 / mountain.min(), rel=0.2)
+    assert low == pytest.approx(high / 1e4)
+
+
+def test_a_scale_begins_two_and_a_half_decades_from_the_sky_at_most():
+    values = np.geomspace(1e-6, 1e6, 100_001)
+    low, high = colour_limits(values, QUANTITIES["flux"])
+    assert (low, high) == pytest.approx((10**-0.5, 10**3.5), rel=0.2)
+    low, high = colour_limits(values, QUANTITIES["exposure"])
+    assert (low, high) == pytest.approx((10**-3.5, 10**0.5), rel=0.2)
 
 
 def test_a_range_that_fits_is_kept_whole():
