@@ -11,9 +11,9 @@ from ..quantities import Quantity
 from . import style, ticks
 from .colours import ink_on
 from .directions import Directions
+from .frames import Frame
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.contour import ContourSet
 
@@ -42,13 +42,13 @@ _FLAT = np.array([0.28, 0.35])
 
 
 def draw_skyline(
-    axes: Axes, directions: Directions, sky: np.ndarray, known: np.ndarray
+    frame: Frame, directions: Directions, sky: np.ndarray, known: np.ndarray
 ) -> ContourSet | None:
     """Draw the line between rock and open sky; None if it is not in the picture.
 
     Parameters
     ----------
-    axes
+    frame
         Where to draw.
     directions
         The pixel grid.
@@ -62,11 +62,12 @@ def draw_skyline(
     azimuth, zenith, rock = traced(
         directions, np.where(known, np.where(sky, 0.0, 1.0), np.nan), 2 * _TRACED
     )
-    return axes.contour(
+    return frame.axes.contour(
         azimuth,
         zenith,
         np.ma.masked_invalid(rock),
         levels=[0.5],
+        transform=frame.values,
         colors=[style.INK],
         linewidths=style.LINE_WIDTH,
         zorder=3,
@@ -74,13 +75,12 @@ def draw_skyline(
 
 
 def draw_contours(
-    axes: Axes,
+    frame: Frame,
     muogram: Muogram,
     directions: Directions,
     sky: np.ndarray | None,
     scale: ScalarMappable | None,
     skyline: ContourSet | None,
-    inches_per_degree: tuple[float, float],
 ) -> None:
     """Draw labelled contour lines at round values in the rock.
 
@@ -89,7 +89,7 @@ def draw_contours(
 
     Parameters
     ----------
-    axes, muogram, directions
+    frame, muogram, directions
         Where and what to draw.
     sky
         (n_elevation, n_azimuth), true where the ray meets no rock; None where
@@ -99,17 +99,18 @@ def draw_contours(
         lines over the pixels of another quantity, white with a dark edge.
     skyline
         From `draw_skyline`; labels keep away from it.
-    inches_per_degree
-        Inches on the page of a degree of azimuth and of zenith.
     """
     values = muogram.values if sky is None else np.where(sky, np.nan, muogram.values)
     levels = ticks.contour_levels(values, muogram.kind)
     if levels.size == 0 or min(values.shape) < 2:
         return
     azimuth, zenith, values = traced(directions, values, _TRACED)
-    lines = axes.contour(
-        azimuth,
-        zenith,
+    # In the coordinates of the axes, where labels are placed and lines are cut for them.
+    across = frame.on_page(np.column_stack([azimuth, np.full_like(azimuth, zenith[0])]))[:, 0]
+    down = frame.on_page(np.column_stack([np.full_like(zenith, azimuth[0]), zenith]))[:, 1]
+    lines = frame.axes.contour(
+        across,
+        down,
         np.ma.masked_invalid(values),
         levels=levels,
         colors=["white" if scale is None else ink_on(scale.to_rgba(level)) for level in levels],
@@ -120,9 +121,9 @@ def draw_contours(
         _add_edge(lines)
     obstacles = [directions.frame_deg, *(skyline.allsegs[0] if skyline else [])]
     target = np.reshape(directions.target_deg or [], (-1, 2))
-    places = label_places(lines.allsegs, obstacles, target, inches_per_degree)
+    places = label_places(lines.allsegs, [*map(frame.on_page, obstacles)], frame.on_page(target))
     if places:
-        labels = axes.clabel(
+        labels = frame.axes.clabel(
             lines,
             fontsize=style.CONTOUR_SIZE,
             fmt=lambda level: contour_label(level, muogram.kind),
@@ -170,7 +171,6 @@ def label_places(
     levels: list[list[np.ndarray]],
     obstacles: list[np.ndarray],
     marks: np.ndarray,
-    inches_per_unit: tuple[float, float],
 ) -> list[tuple[float, float]]:
     """Return where to label contour lines: where they are farthest from all else.
 
@@ -181,22 +181,19 @@ def label_places(
     Parameters
     ----------
     levels
-        For each level its lines, (n, 2) each.
+        For each level its lines, (n, 2) inches each, as all that follows.
     obstacles
         (n, 2) points of lines that must stay readable.
     marks
         (n, 2) points that need as much room as a label.
-    inches_per_unit
-        Size on the page of one unit along x and y.
 
     Returns
     -------
     A point on a line for each level that is labelled.
     """
-    size = np.asarray(inches_per_unit)
-    longest = [max((line * size for line in lines), key=_length, default=None) for lines in levels]
-    fixed = [_thinned(points * size, _OBSTACLES) for points in obstacles]
-    taken = [*(marks * size)]
+    longest = [max(lines, key=_length, default=None) for lines in levels]
+    fixed = [_thinned(points, _OBSTACLES) for points in obstacles]
+    taken = [*marks]
     places: list[np.ndarray] = []
     for level, line in enumerate(longest):
         if line is None or _length(line) < _SHORTEST_IN:
@@ -205,7 +202,7 @@ def label_places(
         # The ends lie on the frame or on the skyline.
         candidates = candidates[len(candidates) // 8 : -(len(candidates) // 8) or None]
         others = [
-            _thinned(other * size, _OBSTACLES)
+            _thinned(other, _OBSTACLES)
             for number, lines in enumerate(levels)
             if number != level
             for other in lines
@@ -219,7 +216,7 @@ def label_places(
         if clear[best] >= _ROOM_IN:
             places.append(candidates[best])
             taken.append(candidates[best])
-    return [(float(x), float(y)) for x, y in (place / size for place in places)]
+    return [(float(x), float(y)) for x, y in places]
 
 
 def _clearance(candidates: np.ndarray, obstacles: np.ndarray) -> np.ndarray:

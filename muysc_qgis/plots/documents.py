@@ -20,7 +20,7 @@ from ..topography.footprint import Outline
 from ..topography.relief import relief_around
 from ..topography.section import terrain_section
 from ..topography.sight import Sight
-from .overview_map import Relief, overview_map
+from .overview_map import overview_map
 from .panel import muogram_panel, summary_panel
 from .profile import section_panel
 from .rays import Ray
@@ -96,7 +96,7 @@ def _map(simulation: Simulation, sight: Sight, aperture: Aperture) -> ReportFigu
     points = np.concatenate([wedge, *ground, np.zeros((1, 2))])
     low, high = points.min(axis=0), points.max(axis=0)
     margin = _MAP_MARGIN * float(np.max(high - low))
-    grid = relief_around(
+    relief = relief_around(
         sight.frame,
         (low[0] - margin, high[0] + margin),
         (low[1] - margin, high[1] + margin),
@@ -106,9 +106,7 @@ def _map(simulation: Simulation, sight: Sight, aperture: Aperture) -> ReportFigu
         float(sight.target_distance_m * np.sin(azimuth)),
         float(sight.target_distance_m * np.cos(azimuth)),
     )
-    figure = overview_map(
-        Relief(grid.east_m, grid.north_m, grid.elevation_m), target, [wedge], ground
-    )
+    figure = overview_map(relief, target, [wedge], ground)
     return ReportFigure(
         "Detector, target, field of view and the ground seen: the band between the nearest and "
         "the farthest rock face along each azimuth.",

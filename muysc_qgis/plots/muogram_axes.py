@@ -1,4 +1,4 @@
-"""One muogram in one set of axes: pixels, target, angles, colour scale."""
+"""One muogram in its frame: pixels, target, angles."""
 
 from __future__ import annotations
 
@@ -10,21 +10,26 @@ from ..muogram import Muogram
 from . import style, ticks
 from .colours import colour_scale, has_colour, pixel_colours
 from .directions import Directions, even_picture
+from .frames import Frame, draw_image
+from .scales import draw_scale
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
 
-#: Length of a colour bar's arrow, and the room that one of its labels takes (inches).
-_ARROW_IN = 0.16
-_LABEL_IN = 0.45
+#: Room for a tick with its label along and up a scale (inches).
+_TICK_ROOM_IN = 0.5
+_TICK_ROW_IN = 0.25
+
+#: Compass letters above the axes, and the name of the scale above them (points).
+_LETTERS = 15.0
+_ABOVE_LETTERS = 12.0
 
 
 def draw_pixels(
-    axes: Axes, muogram: Muogram, directions: Directions, sky: np.ndarray | None
+    frame: Frame, muogram: Muogram, directions: Directions, sky: np.ndarray | None
 ) -> tuple[ScalarMappable, dict[str, Artist]]:
-    """Draw the pixels and set the limits of the axes to their outer edges.
+    """Draw the pixels.
 
     Returns
     -------
@@ -35,38 +40,33 @@ def draw_pixels(
 
     scale = colour_scale(muogram.values, muogram.kind)
     picture = pixel_colours(muogram.values, muogram.kind, sky, scale)
-    left, right, bottom, top = directions.extent_deg
     legend: dict[str, Artist] = {}
     opaque = picture[..., 3] == 255
     if not opaque.all():
-        axes.add_patch(
-            Rectangle((left, top), right - left, bottom - top, zorder=0, **style.UNKNOWN_LOOK)
+        frame.axes.add_artist(
+            Rectangle((0, 0), 1, 1, transform=frame.shares, zorder=0, **style.UNKNOWN_LOOK)
         )
         legend["Unknown"] = Patch(**style.UNKNOWN_LOOK)
     if np.any(opaque & ~has_colour(muogram.values, muogram.kind, sky)):
         legend["Open sky"] = Patch(facecolor=style.SKY, edgecolor=style.MUTED, linewidth=0.5)
-    axes.imshow(
-        even_picture(picture, directions),
-        extent=(left, right, bottom, top),
-        aspect="auto",
-        zorder=1,
-    )
-    axes.set_xlim(left, right)
-    axes.set_ylim(bottom, top)
+    draw_image(frame, even_picture(picture, directions), directions.extent_deg, "pixels")
     return scale, legend
 
 
-def draw_target(axes: Axes, directions: Directions) -> Artist | None:
+def draw_target(frame: Frame, directions: Directions) -> Artist | None:
     """Mark the target; None if it is not known or outside the picture."""
     if directions.target_deg is None:
         return None
+    from matplotlib.lines import Line2D
+
     azimuth, zenith = directions.target_deg
     left, right, bottom, top = directions.extent_deg
     if not (left <= azimuth <= right and top <= zenith <= bottom):
         return None
-    (marker,) = axes.plot(
+    marker = Line2D(
         [azimuth],
         [zenith],
+        transform=frame.values,
         linestyle="none",
         marker="*",
         markersize=13,
@@ -74,18 +74,19 @@ def draw_target(axes: Axes, directions: Directions) -> Artist | None:
         markeredgecolor="black",
         markeredgewidth=0.9,
         zorder=5,
-        clip_on=False,
+        gid="target",
     )
+    frame.axes.add_artist(marker)
     return marker
 
 
-def draw_note(axes: Axes, text: str) -> None:
-    """Say in the middle of the axes why there is nothing else to see."""
-    axes.text(
+def draw_note(frame: Frame, text: str) -> None:
+    """Say in the middle of the frame why there is nothing else to see."""
+    frame.axes.text(
         0.5,
         0.5,
         text,
-        transform=axes.transAxes,
+        transform=frame.shares,
         ha="center",
         va="center",
         fontsize=style.TEXT_SIZE,
@@ -95,96 +96,68 @@ def draw_note(axes: Axes, text: str) -> None:
     )
 
 
-def scale_axes(axes: Axes, directions: Directions, labelled: bool = True) -> None:
-    """Give the axes azimuth ticks at the bottom and zenith ticks at the left."""
+def draw_angles(
+    frame: Frame, directions: Directions, below: bool = True, beside: bool = True
+) -> None:
+    """Give the frame azimuths at the bottom and zenith angles at the left.
+
+    Parameters
+    ----------
+    frame, directions
+        Where, and which.
+    below, beside
+        Whether ticks at the bottom and at the left are labelled; not where another
+        picture says the same.
+    """
     left, right, bottom, top = directions.extent_deg
-    width_in, height_in = size_in(axes)
-    across = ticks.angle_ticks(left, right, max(2, int(width_in / 0.5)))
-    down = ticks.angle_ticks(top, bottom, max(2, int(height_in / 0.25)))
-    axes.set_xticks(across, [ticks.number_label(tick) for tick in across])
-    axes.set_yticks(down, [ticks.number_label(tick) for tick in down])
-    style.style_axes(axes)
-    if labelled:
-        relative = directions.target_deg is not None or directions.origin_deg != 0.0
-        axes.set_xlabel(
-            "Azimuth from the boresight (°)" if relative else "Azimuth (°)",
-            fontsize=style.TEXT_SIZE, labelpad=2,
-        )  # fmt: skip
-        axes.set_ylabel("Zenith angle (°)", fontsize=style.TEXT_SIZE, labelpad=2)
+    *_, width_in, height_in = frame.box
+    relative = directions.target_deg is not None or directions.origin_deg != 0.0
+    azimuth = "Azimuth from the boresight (°)" if relative else "Azimuth (°)"
+    across = ticks.angle_ticks(left, right, max(2, int(width_in / _TICK_ROOM_IN)))
+    down = ticks.angle_ticks(top, bottom, max(2, int(height_in / _TICK_ROW_IN)))
+    for side, positions, name, labelled in (
+        ("bottom", across, azimuth, below), ("left", down, "Zenith angle (°)", beside)
+    ):  # fmt: skip
+        draw_scale(frame, side, positions, None if labelled else (), name if labelled else "")
 
 
-def add_compass(axes: Axes, directions: Directions) -> Axes:
+def add_compass(frame: Frame, directions: Directions) -> None:
     """Add the azimuth from north with compass letters along the top."""
+    from matplotlib.transforms import ScaledTranslation, blended_transform_factory
+
     left, right, *_ = directions.extent_deg
-    top = axes.twiny()
-    top.set_xlim(left, right)
     first, last = left + directions.origin_deg, right + directions.origin_deg
-    width_in, _ = size_in(axes)
-    azimuths = ticks.angle_ticks(first, last, max(2, int(width_in / 0.5)))
-    top.set_xticks(
-        azimuths - directions.origin_deg, [ticks.azimuth_label(azimuth) for azimuth in azimuths]
+    *_, width_in, _ = frame.box
+    azimuths = ticks.angle_ticks(first, last, max(2, int(width_in / _TICK_ROOM_IN)))
+    draw_scale(
+        frame,
+        "top",
+        azimuths - directions.origin_deg,
+        [ticks.azimuth_label(azimuth) for azimuth in azimuths],
+        "Azimuth from north (°)",
+        name_at_end=True,
+        gap=_ABOVE_LETTERS,
     )
-    style.style_axes(top)
+    above = blended_transform_factory(frame.values, frame.shares) + ScaledTranslation(
+        0, _LETTERS / 72, frame.axes.figure.dpi_scale_trans
+    )
     for azimuth, letter in ticks.compass_points(first, last):
-        top.annotate(
-            letter,
-            (azimuth - directions.origin_deg, 1.0),
-            xycoords=("data", "axes fraction"),
-            xytext=(0, 15),
-            textcoords="offset points",
-            ha="center",
-            va="bottom",
-            fontsize=style.TICK_SIZE,
-            fontweight="bold",
-            color=style.INK,
-        )
-    top.set_xlabel("Azimuth from north (°)", fontsize=style.TEXT_SIZE, labelpad=14, loc="right")
-    return top
+        frame.axes.figure.text(
+            azimuth - directions.origin_deg, 1.0, letter, transform=above, ha="center",
+            va="bottom", fontsize=style.TICK_SIZE, fontweight="bold", color=style.INK,
+            gid="compass",
+        )  # fmt: skip
 
 
-def add_elevation(axes: Axes, directions: Directions) -> Axes:
+def add_elevation(frame: Frame, directions: Directions) -> None:
     """Add the elevation above the horizon along the right."""
     *_, bottom, top = directions.extent_deg
-    right = axes.twinx()
-    right.set_ylim(bottom, top)
-    _, height_in = size_in(axes)
-    elevations = ticks.angle_ticks(90.0 - bottom, 90.0 - top, max(2, int(height_in / 0.25)))
-    right.set_yticks(90.0 - elevations, [ticks.number_label(tick) for tick in elevations])
-    right.set_ylabel("Elevation (°)", fontsize=style.TEXT_SIZE, labelpad=3)
-    style.style_axes(right)
-    return right
-
-
-def size_in(axes: Axes) -> tuple[float, float]:
-    """Return the width and height of axes on the page (inches)."""
-    position = axes.get_position()
-    width, height = axes.figure.get_size_inches()
-    return position.width * width, position.height * height
-
-
-def add_colour_bar(axes: Axes, muogram: Muogram, scale: ScalarMappable, label: str) -> None:
-    """Draw the colour scale into its own axes, arrows where values lie beyond it."""
-    low, high = scale.get_clim()
-    finite = muogram.values[np.isfinite(muogram.values)]
-    if muogram.kind.logarithmic:
-        finite = finite[finite > 0]
-    below, above = bool(np.any(finite < low)), bool(np.any(finite > high))
-    extend = ("both" if above else "min") if below else ("max" if above else "neither")
-    bar = axes.figure.colorbar(
-        scale,
-        cax=axes,
-        orientation="horizontal",
-        extend=extend,
-        extendfrac=_ARROW_IN / size_in(axes)[0],
+    *_, height_in = frame.box
+    elevations = ticks.angle_ticks(90.0 - bottom, 90.0 - top, max(2, int(height_in / _TICK_ROW_IN)))
+    draw_scale(
+        frame,
+        "right",
+        90.0 - elevations,
+        [ticks.number_label(elevation) for elevation in elevations],
+        "Elevation (°)",
     )
-    if muogram.kind.logarithmic:
-        positions = ticks.logarithmic_ticks(low, high)
-        positions = positions[:: int(np.ceil(len(positions) * _LABEL_IN / size_in(axes)[0]))]
-    else:
-        positions = ticks.multiples(low, high, ticks.round_step(high - low, 5))
-    bar.set_ticks(positions, labels=[ticks.number_label(position) for position in positions])
-    bar.minorticks_off()
-    bar.outline.set_linewidth(style.THIN_LINE_WIDTH)
-    bar.outline.set_edgecolor(style.MUTED)
-    bar.set_label(label, fontsize=style.TEXT_SIZE, labelpad=2)
-    style.style_axes(axes)

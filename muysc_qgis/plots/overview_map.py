@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from textwrap import fill
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import MuyscError
-from . import style, ticks
+from ..topography.relief import Relief
+from . import scales, style, ticks
+from .frames import whole
+from .legend import draw_legend
 from .map_marks import draw_north, draw_scale_bar
 
 if TYPE_CHECKING:
@@ -31,44 +32,18 @@ _LIGHT_ELEVATION_DEG = 45.0
 #: Terrain heights along each side that are drawn at most.
 _DRAWN = 600
 
+#: And those that contours are traced through: a point every millimetre in print.
+_CONTOURED = 180
+
 #: Size of the map on the page (inches): its width, and the most of its height.
 _MAP_WIDTH_IN = 6.3
 _MAP_HEIGHT_IN = 6.0
 _MAP_SMALLEST_IN = 2.4
 _LEFT_IN = 0.72
 _BELOW_IN = 0.55
-
-
-@dataclass(frozen=True)
-class Relief:
-    """Terrain heights on a regular grid around the detector.
-
-    Parameters
-    ----------
-    east_m
-        (n_east,) increasing, evenly spaced, metres east of the detector.
-    north_m
-        (n_north,) increasing, evenly spaced, metres north of the detector.
-    elevation_m
-        (n_north, n_east), NaN where unknown; the first row is the southernmost.
-
-    Raises
-    ------
-    MuyscError
-        If the shapes do not fit or a side has fewer than two points.
-    """
-
-    east_m: np.ndarray
-    north_m: np.ndarray
-    elevation_m: np.ndarray
-
-    def __post_init__(self) -> None:
-        shape = (len(self.north_m), len(self.east_m))
-        if self.elevation_m.shape != shape or min(shape) < 2:
-            raise MuyscError(
-                f"A relief of {self.elevation_m.shape} heights does not fit {shape} points "
-                "(north, east); give one height for each point, two points a side or more."
-            )
+_LEGEND_ROW_IN = 0.25
+#: Room for a tick with its label (inches).
+_TICK_ROOM_IN = 0.7
 
 
 def overview_map(
@@ -122,28 +97,18 @@ def overview_map(
     axes.set_xlim(west, east)
     axes.set_ylim(south, north)
     axes.set_aspect("equal", anchor="NW")
-    style.style_axes(axes)
-    axes.set_xlabel("East of the detector (km)", fontsize=style.TEXT_SIZE, labelpad=2)
-    axes.set_ylabel("North of the detector (km)", fontsize=style.TEXT_SIZE, labelpad=2)
-    for axis, low, high, length in (
-        (axes.xaxis, west, east, width),
-        (axes.yaxis, south, north, height),
+    frame = whole(axes)
+    for side, name, low, high, length in (
+        ("bottom", "East of the detector (km)", west, east, width),
+        ("left", "North of the detector (km)", south, north, height),
     ):
-        positions = ticks.multiples(
-            low, high, ticks.round_step(high - low, max(2, int(length / 0.7)))
-        )
-        axis.set_ticks(positions, labels=[ticks.number_label(position) for position in positions])
+        step = ticks.round_step(high - low, max(2, int(length / _TICK_ROOM_IN)))
+        scales.draw_scale(frame, side, ticks.multiples(low, high, step), name=name)
     draw_scale_bar(axes)
     draw_north(axes)
-    figure.legend(
-        [artist for _, artist in legend],
-        [style.plain(fill(label, 34)) for label, _ in legend],
-        loc="upper left",
-        bbox_to_anchor=((_LEFT_IN + width + 0.15) / style.WIDTH_IN, (_BELOW_IN + height) / page),
-        frameon=False,
-        fontsize=style.TEXT_SIZE,
-        borderaxespad=0.0,
-        labelspacing=0.9,
+    wrapped = [(fill(label, 34), artist) for label, artist in legend]
+    draw_legend(
+        figure, wrapped, _LEFT_IN + width + 0.15, _BELOW_IN + height, len(wrapped), _LEGEND_ROW_IN
     )
     return figure
 
@@ -162,7 +127,7 @@ def _extent_m(relief: Relief) -> tuple[float, float, float, float]:
 
 
 def shaded(relief: Relief) -> np.ndarray:
-    """Return the picture of the terrain, (n_north, n_east, 4), the northernmost row first.
+    """Return the picture of the terrain, (n_north, n_east, 4) bytes, the northernmost row first.
 
     Tint by height, shade by the light from the north-west at the slopes' true
     steepness; transparent where the height is unknown.
@@ -171,7 +136,7 @@ def shaded(relief: Relief) -> np.ndarray:
 
     heights = relief.elevation_m[::-1]
     known = np.isfinite(heights)
-    picture = np.zeros((*heights.shape, 4))
+    picture = np.zeros((*heights.shape, 4), dtype=np.uint8)
     if not known.any():
         return picture
     low, high = float(heights[known].min()), float(heights[known].max())
@@ -183,8 +148,8 @@ def shaded(relief: Relief) -> np.ndarray:
     light = LightSource(_LIGHT_AZIMUTH_DEG, _LIGHT_ELEVATION_DEG)
     # Level ground gets 0.71 of the light and so keeps 0.9 of its tint.
     shade = np.clip(light.hillshade(filled, dx=step_east, dy=step_north, fraction=1.0), 0.0, 1.0)
-    picture[..., :3] = np.minimum(1.0, colours * (0.55 + 0.5 * shade[..., None]))
-    picture[..., 3] = known
+    picture[..., :3] = 255 * np.minimum(1.0, colours * (0.55 + 0.5 * shade[..., None]))
+    picture[..., 3] = 255 * known
     return picture
 
 
@@ -208,15 +173,17 @@ def _draw_terrain(axes: Axes, relief: Relief) -> list[tuple[str, Artist]]:
             Rectangle((west, south), east - west, north - south, zorder=0, **style.UNKNOWN_LOOK)
         )
         legend.append(("No elevation known", Patch(**style.UNKNOWN_LOOK)))
-    axes.imshow(shaded(relief), extent=extent, aspect="equal", zorder=1)
+    axes.imshow(shaded(relief), extent=extent, aspect="equal", interpolation="nearest", zorder=1)
     heights = relief.elevation_m[known]
     if heights.size == 0 or np.ptp(heights) == 0:
         return legend
     step = ticks.round_step(float(np.ptp(heights)), 15)
     levels = ticks.multiples(float(heights.min()), float(heights.max()), step)
+    thinned = slice(None, None, -(-max(relief.elevation_m.shape) // _CONTOURED))
     lines = axes.contour(
-        relief.east_m / 1e3, relief.north_m / 1e3, np.ma.masked_invalid(relief.elevation_m),
-        levels=levels, colors=[_CONTOUR], linewidths=0.45, alpha=0.75, zorder=2,
+        relief.east_m[thinned] / 1e3, relief.north_m[thinned] / 1e3,
+        np.ma.masked_invalid(relief.elevation_m[thinned, thinned]), levels=levels,
+        colors=[_CONTOUR], linewidths=0.45, alpha=0.75, zorder=2,
     )  # fmt: skip
     axes.clabel(
         lines,

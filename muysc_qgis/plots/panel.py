@@ -12,13 +12,16 @@ import numpy as np
 from ..errors import MuyscError
 from ..muogram import Muogram
 from . import muogram_axes as draw
-from . import style
+from . import scales, style
 from .colours import has_colour, sky_mask
 from .contours import draw_contours, draw_skyline
 from .directions import Directions, describe, directions_of
+from .frames import Frame, page_axes, place
+from .legend import draw_legend
 from .style import png_bytes, save_png
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.figure import Figure
 
 __all__ = ["muogram_panel", "muogram_panels", "png_bytes", "save_png", "summary_panel"]
@@ -30,6 +33,14 @@ _WIDE = 3.0
 _LEGEND = ("Target", "Skyline", "Open sky", "Unknown")
 
 _LEGEND_IN = 0.34
+_LEGEND_COLUMN_IN = 1.25
+
+#: Title of a picture below the upper end of its room, or above a small picture (inches).
+_HEADING_IN = 0.2
+_SMALL_HEADING_IN = 0.08
+
+#: Room below a picture whose azimuths stand below another one (inches).
+_UNLABELLED_IN = 0.16
 
 #: Narrower pictures (inches) get their heading on a row of its own, above the
 #: name of the azimuth axis.
@@ -161,28 +172,47 @@ def _draw(
     narrow = layout.large and min(width for width, _ in sizes) < _HEADING_FITS_IN
     if narrow:
         layout = replace(layout, above=layout.above + _ROW_IN)
-    around = layout.above + layout.below + layout.bar_height + layout.bar_below
-    heights = [max(sizes[n][1] for n in row) + around for row in rows]
+    # Small pictures of the same directions share their scales.
+    shared = not layout.large and all(_same(grids[0], grid) for grid in grids)
+    layouts = [
+        replace(layout, below=_UNLABELLED_IN) if shared and row[-1] + columns < len(grids)
+        else layout
+        for row in rows
+    ]  # fmt: skip
+    heights = [
+        max(sizes[n][1] for n in row) + one.above + one.below + one.bar_height + one.bar_below
+        for row, one in zip(rows, layouts)
+    ]
     heading = style.heading_height_in(title, lines)
     height = heading + sum(heights) + _LEGEND_IN
     figure = style.new_figure(style.WIDTH_IN, height)
     style.add_heading(figure, title, lines, layout.left - 0.4)
+    axes = page_axes(figure)
 
-    legend: dict[str, object] = {}
-    for index, row in enumerate(rows):
+    legend: dict[str, Artist] = {}
+    top = height - heading
+    for row, one, row_height in zip(rows, layouts, heights):
         for column, n in enumerate(row):
             picture_width, picture_height = sizes[n]
             x = column * cell_width + layout.left + (room - picture_width) / 2
-            top = height - heading - sum(heights[:index]) - layout.above
-            box = (x, top - picture_height, picture_width, picture_height)
-            legend.update(_one_panel(figure, box, muograms[n], grids[n], muograms, layout, terrain))
+            box = (x, top - one.above - picture_height, picture_width, picture_height)
+            frame = place(axes, box, grids[n].extent_deg)
+            legend |= _one_panel(frame, muograms[n], grids[n], muograms, one, terrain)
+            labelled = one.below > _UNLABELLED_IN, not shared or column == 0
+            draw.draw_angles(frame, grids[n], *labelled)
+        top -= row_height
     if legend:
-        shown = [label for label in _LEGEND if label in legend]
-        figure.legend(
-            [legend[label] for label in shown], shown, loc="lower center", ncol=len(shown),
-            frameon=False, fontsize=style.TEXT_SIZE, handlelength=1.8, columnspacing=2.2,
-        )  # fmt: skip
+        shown = [(label, legend[label]) for label in _LEGEND if label in legend]
+        left = (style.WIDTH_IN - _LEGEND_COLUMN_IN * len(shown)) / 2
+        draw_legend(figure, shown, left, _LEGEND_IN, 1, _LEGEND_IN, _LEGEND_COLUMN_IN)
     return figure
+
+
+def _same(one: Directions, other: Directions) -> bool:
+    """Return whether two muograms have their pixels at the same places of a panel."""
+    return np.array_equal(one.azimuth_edges_deg, other.azimuth_edges_deg) and np.array_equal(
+        one.zenith_edges_deg, other.zenith_edges_deg
+    )
 
 
 def _picture_size(grid: Directions, room: float, layout: _Layout) -> tuple[float, float]:
@@ -195,56 +225,45 @@ def _picture_size(grid: Directions, room: float, layout: _Layout) -> tuple[float
 
 
 def _one_panel(
-    figure: Figure,
-    box: tuple[float, float, float, float],
+    frame: Frame,
     muogram: Muogram,
     grid: Directions,
     muograms: Sequence[Muogram],
     layout: _Layout,
     terrain: Muogram | None,
-) -> dict[str, object]:
-    """Draw one muogram into a box (inches); return its legend entries."""
+) -> dict[str, Artist]:
+    """Draw one muogram; return its legend entries."""
     from matplotlib.lines import Line2D
 
-    width, height = figure.get_size_inches()
-
-    def placed(x: float, y: float, w: float, h: float) -> tuple[float, float, float, float]:
-        return x / width, y / height, w / width, h / height
-
-    axes = figure.add_axes(placed(*box))
     sky, known = _sky(muogram, muograms) if terrain is None else _sky(terrain, [])
-    scale, entries = draw.draw_pixels(axes, muogram, grid, sky)
-    legend: dict[str, object] = {}
-    target = draw.draw_target(axes, grid)
+    scale, entries = draw.draw_pixels(frame, muogram, grid, sky)
+    legend: dict[str, Artist] = {}
+    target = draw.draw_target(frame, grid)
     if target is not None:
         legend["Target"] = target
-    skyline = None if sky is None else draw_skyline(axes, grid, sky, known)
+    skyline = None if sky is None else draw_skyline(frame, grid, sky, known)
     if skyline is not None:
         legend["Skyline"] = Line2D([], [], color=style.INK, linewidth=style.LINE_WIDTH)
     legend.update(entries)
     if layout.large:
-        inches_per_degree = box[2] / grid.width_deg, box[3] / grid.height_deg
         lines, ink = (muogram, scale) if terrain is None else (terrain, None)
-        draw_contours(axes, lines, grid, sky, ink, skyline, inches_per_degree)
-    draw.scale_axes(axes, grid)
-    axes.set_title(
-        muogram.kind.title, fontsize=style.HEADING_SIZE, fontweight="bold", loc="left",
-        color=style.INK, y=1.0, pad=(layout.above - 0.2) * 72 if layout.large else 6,
+        draw_contours(frame, lines, grid, sky, ink, skyline)
+        draw.add_compass(frame, grid)
+        draw.add_elevation(frame, grid)
+    left, bottom, _, height = frame.box
+    above = layout.above - _HEADING_IN if layout.large else _SMALL_HEADING_IN
+    frame.axes.figure.text(
+        left, bottom + height + above, muogram.kind.title, transform=frame.axes.transData,
+        fontsize=style.HEADING_SIZE, fontweight="bold", color=style.INK, gid="title",
     )  # fmt: skip
-    if layout.large:
-        draw.add_compass(axes, grid)
-        draw.add_elevation(axes, grid)
     if has_colour(muogram.values, muogram.kind, sky).any():
-        x, y, picture_width, _ = box
-        bar = placed(x, y - layout.below - layout.bar_height, picture_width, layout.bar_height)
-        label = (
-            muogram.kind.label if layout.large or muogram.kind.unit == "1" else muogram.kind.unit
-        )
-        draw.add_colour_bar(figure.add_axes(bar), muogram, scale, label)
+        kind = muogram.kind
+        name = kind.label if layout.large or kind.unit == "1" else kind.unit
+        scales.draw_colour_bar(frame, muogram.values, scale, name, layout.below, layout.bar_height)
     elif sky is not None and sky.all():
-        draw.draw_note(axes, "Open sky in every direction")
+        draw.draw_note(frame, "Open sky in every direction")
     else:
-        draw.draw_note(axes, "No direction has a known value")
+        draw.draw_note(frame, "No direction has a known value")
     return legend
 
 

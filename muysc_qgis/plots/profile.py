@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import MuyscError
-from . import style, ticks
+from . import scales, style, ticks
+from .frames import whole
+from .legend import draw_legend
 from .rays import Ray, ray_height_m, rock_intervals, rock_label
 
 if TYPE_CHECKING:
@@ -28,6 +30,7 @@ _TALLEST_IN = 4.6
 _LEFT_IN = 0.75
 _BELOW_IN = 0.5
 _LEGEND_ROW_IN = 0.21
+_LEGEND_COLUMN_IN = 1.9
 
 #: Look of the ray to the target, and of all others.
 _MAIN = {"color": style.RAY, "linewidth": 1.4}
@@ -115,17 +118,10 @@ def section_panel(
         angle = f"{ray.elevation_deg:.1f}°".replace("-", "−")
         legend.append((f"Ray {ray.label}, {angle}: {length}", line))
     _label_axes(axes, end, lowest, highest, height, azimuth_deg, exaggeration)
-    figure.legend(
-        [artist for _, artist in legend],
-        [style.plain(label) for label, _ in legend],
-        loc="lower left",
-        bbox_to_anchor=(_LEFT_IN / style.WIDTH_IN, 0.08 / page),
-        ncol=2,
-        frameon=False,
-        fontsize=style.TEXT_SIZE,
-        borderaxespad=0.0,
-        columnspacing=3.0,
-    )
+    draw_legend(
+        figure, legend, _LEFT_IN, legend_height, -(-len(legend) // 2), _LEGEND_ROW_IN,
+        _LEGEND_COLUMN_IN,
+    )  # fmt: skip
     return figure
 
 
@@ -248,17 +244,17 @@ def _label_axes(
     up = ticks.multiples(
         lowest_m, highest_m, ticks.round_step(highest_m - lowest_m, max(3, int(height_in / 0.4)))
     )
-    axes.set_xticks(across, [ticks.number_label(tick) for tick in across])
-    axes.set_yticks(up, [ticks.number_label(tick) for tick in up])
-    style.style_axes(axes)
+    frame = whole(axes)
     along = "" if azimuth_deg is None else f" along azimuth {azimuth_deg % 360:.1f}°"
     stretch = (
         "no vertical exaggeration"
         if exaggeration == 1
         else f"vertical exaggeration × {exaggeration:.2g}"
     )
-    axes.set_xlabel(
-        f"Horizontal distance from the detector{along} (m); {stretch}",
-        fontsize=style.TEXT_SIZE, labelpad=2,
-    )  # fmt: skip
-    axes.set_ylabel("Elevation (m)", fontsize=style.TEXT_SIZE, labelpad=2)
+    scales.draw_scale(
+        frame,
+        "bottom",
+        across,
+        name=f"Horizontal distance from the detector{along} (m); {stretch}",
+    )
+    scales.draw_scale(frame, "left", up, name="Elevation (m)")

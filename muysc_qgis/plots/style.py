@@ -111,9 +111,9 @@ def heading_height_in(title: str, lines: list[str]) -> float:
 def png_bytes(figure: Figure, dpi: float = DPI) -> bytes:
     """Draw a figure and return it as a PNG file's content."""
     stream = BytesIO()
-    # Level 4 writes twice as fast as the default for a few per cent of size.
+    # Level 2 takes half the time of the default for a tenth more of size.
     figure.savefig(
-        stream, format="png", dpi=dpi, facecolor="white", pil_kwargs={"compress_level": 4}
+        stream, format="png", dpi=dpi, facecolor="white", pil_kwargs={"compress_level": 2}
     )
     return stream.getvalue()
 

@@ -11,22 +11,43 @@ from .frame import LocalFrame
 
 
 @dataclass(frozen=True)
-class ReliefGrid:
-    """Terrain on a regular grid in the detector's azimuthal equidistant frame."""
+class Relief:
+    """Terrain heights on a regular grid around a detector.
 
-    #: (n,) metres east and north of the detector, increasing.
+    Parameters
+    ----------
+    east_m
+        (n_east,) increasing, evenly spaced, metres east of the detector.
+    north_m
+        (n_north,) increasing, evenly spaced, metres north of the detector.
+    elevation_m
+        (n_north, n_east), NaN where unknown; the first row is the southernmost.
+
+    Raises
+    ------
+    MuyscError
+        If the shapes do not fit or a side has fewer than two points.
+    """
+
     east_m: np.ndarray
     north_m: np.ndarray
-    #: (n_north, n_east) heights in m, NaN where unknown.
     elevation_m: np.ndarray
+
+    def __post_init__(self) -> None:
+        shape = (len(self.north_m), len(self.east_m))
+        if self.elevation_m.shape != shape or min(shape) < 2:
+            raise MuyscError(
+                f"A relief of {self.elevation_m.shape} heights does not fit {shape} points "
+                "(north, east); give one height for each point, two points a side or more."
+            )
 
 
 def relief_around(
     frame: LocalFrame,
     east_m: tuple[float, float],
     north_m: tuple[float, float],
-    pixels: int = 360,
-) -> ReliefGrid:
+    pixels: int = 350,
+) -> Relief:
     """Return the terrain in a rectangle around a detector.
 
     Parameters
@@ -62,7 +83,7 @@ def relief_around(
         raise MuyscError(f"The DEM {dem.name} cannot be drawn: {error}.") from error
     heights = warped.GetRasterBand(1).ReadAsArray().astype(float)[::-1]
     rows, columns = heights.shape
-    return ReliefGrid(
+    return Relief(
         east_m[0] + step * (np.arange(columns) + 0.5),
         north_m[1] - step * (np.arange(rows)[::-1] + 0.5),
         heights * dem.scale + dem.offset,

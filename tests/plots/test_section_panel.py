@@ -65,7 +65,11 @@ def test_unknown_ground_and_the_end_inside_rock_make_a_lower_bound():
 
 
 def drawn(figure):
-    return figure.axes[0], [text.get_text() for text in figure.legends[0].get_texts()]
+    return figure.axes[0], texts(figure, "legend")
+
+
+def texts(figure, gid):
+    return [text.get_text() for text in figure.texts if text.get_gid() == gid]
 
 
 @pytest.fixture
@@ -76,9 +80,10 @@ def figure():
 
 
 def test_axes_and_legend_have_units_and_thickness(figure):
-    axes, labels = drawn(figure)
-    assert "azimuth 39.0° (m)" in axes.get_xlabel()
-    assert axes.get_ylabel() == "Elevation (m)"
+    _, labels = drawn(figure)
+    (across,) = texts(figure, "bottom name")
+    assert "azimuth 39.0° (m)" in across
+    assert texts(figure, "left name") == ["Elevation (m)"]
     near, far = tent_crossings(10.0)
     length = (far - near) / np.cos(np.radians(10.0))
     assert f"Ray to the target, 10.0°: {length:.0f} m of rock" in labels
@@ -103,7 +108,7 @@ def test_the_vertical_exaggeration_is_the_one_stated(height):
     axes, _ = drawn(figure)
     width_in, height_in = axes.get_window_extent().size
     actual = (height_in / np.ptp(axes.get_ylim())) / (width_in / np.ptp(axes.get_xlim()))
-    text = axes.get_xlabel()
+    (text,) = texts(figure, "bottom name")
     stated = re.search(r"vertical exaggeration × ([\d.]+)", text)
     assert ("no vertical" in text) != bool(stated)
     assert actual == pytest.approx(float(stated[1]) if stated else 1.0, rel=0.06)
