@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 #: Quantities of the second figure, as far as a simulation has them.
 _FURTHER = ("opacity", "minimum_energy", "open_sky", "transmission", "exposure", "distance")
 #: Resolution (dots per inch) of figures in the report, read on screens.
-_REPORT_DPI = 110
+_REPORT_DPI = 100
 #: Margin of the map around what it shows, as a share of its size.
 _MAP_MARGIN = 0.12
 

@@ -46,7 +46,7 @@ def relief_around(
     frame: LocalFrame,
     east_m: tuple[float, float],
     north_m: tuple[float, float],
-    pixels: int = 350,
+    pixels: int = 320,
 ) -> Relief:
     """Return the terrain in a rectangle around a detector.
 
