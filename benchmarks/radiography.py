@@ -17,10 +17,10 @@ from measure import (
 from muysc_qgis.radiography.aperture import Aperture
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.transmission import attenuate
-from muysc_qgis.simulation import Telescope, simulate
 from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.topography.sight import Sight, take_sight
 from muysc_qgis.topography.tracing import trace_terrain
+from muysc_qgis.workflows.simulation import Telescope, simulate
 
 #: Length (m) of the steps of the naive way.
 _NAIVE_STEP_M = 10.0

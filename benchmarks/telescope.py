@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from measure import DEM, DETECTOR, ROOT, TARGET, Row, in_fresh_process, print_table, seconds_of
 
-from muysc_qgis.expected_counts import TelescopeCounts, expected_counts
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.telescope.acceptance import plane_etendue, trajectories
 from muysc_qgis.telescope.directions import Pointing
@@ -12,6 +11,7 @@ from muysc_qgis.telescope.planning import ON_REQUEST, CountingPlan
 from muysc_qgis.telescope.presets import PRESETS
 from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.topography.sight import take_sight
+from muysc_qgis.workflows.expected_counts import TelescopeCounts, expected_counts
 
 #: Telescopes by the limits for their counts.
 _LIMITS = {"mute": "limit 0.5 s", "lopresti2020": "limit 4 s"}

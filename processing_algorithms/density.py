@@ -14,13 +14,18 @@ from qgis.core import (
 )
 
 from ..muysc_qgis.errors import MuyscError
-from ..muysc_qgis.measured import Measurement
-from ..muysc_qgis.measured_density import UNKNOWN, DensityChoices, DensityResult, density_behind
 from ..muysc_qgis.measurement.density import Flag
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.trajectories import TrajectoryMap
 from ..muysc_qgis.views import View
+from ..muysc_qgis.workflows.measured import Measurement
+from ..muysc_qgis.workflows.measured_density import (
+    UNKNOWN,
+    DensityChoices,
+    DensityResult,
+    density_behind,
+)
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import raster_outputs, stage_muograms, wanted

@@ -12,15 +12,15 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
 )
 
-from ..muysc_qgis.expected_counts import TelescopeCounts, expected_counts
 from ..muysc_qgis.radiography.settings import Physics
-from ..muysc_qgis.simulation import check_range
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.telescope.directions import Pointing
 from ..muysc_qgis.telescope.geometry import TelescopeGeometry
 from ..muysc_qgis.telescope.merging import check_merge
 from ..muysc_qgis.telescope.planning import ON_REQUEST, CountingPlan
 from ..muysc_qgis.topography.sight import Sight
+from ..muysc_qgis.workflows.expected_counts import TelescopeCounts, expected_counts
+from ..muysc_qgis.workflows.simulation import check_range
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import raster_outputs

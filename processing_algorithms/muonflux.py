@@ -14,11 +14,11 @@ from qgis.core import (
 )
 
 from ..muysc_qgis.errors import MuyscError
-from ..muysc_qgis.flux_spread import with_flux_spread
 from ..muysc_qgis.muogram import Muogram
 from ..muysc_qgis.radiography.settings import Physics
-from ..muysc_qgis.simulation import Telescope, through_rock
 from ..muysc_qgis.staging import Staging
+from ..muysc_qgis.workflows.flux_spread import with_flux_spread
+from ..muysc_qgis.workflows.simulation import Telescope, through_rock
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_documents
 from .outputs.messages import say

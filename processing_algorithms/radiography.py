@@ -13,12 +13,12 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
-from ..muysc_qgis.flux_spread import with_flux_spread
 from ..muysc_qgis.radiography.aperture import Aperture
 from ..muysc_qgis.radiography.settings import Physics
-from ..muysc_qgis.simulation import Simulation, Telescope, check_range, simulate
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.topography.sight import Sight
+from ..muysc_qgis.workflows.flux_spread import with_flux_spread
+from ..muysc_qgis.workflows.simulation import Simulation, Telescope, check_range, simulate
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_documents
 from .outputs.footprint import footprint_output, write_footprint

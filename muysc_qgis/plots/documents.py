@@ -15,11 +15,11 @@ from ..muogram import Muogram
 from ..radiography.aperture import Aperture
 from ..radiography.energy_loss import ENERGY_LOSSES
 from ..radiography.spectra import MODELS
-from ..simulation import Simulation, outlines
 from ..topography.footprint import Outline
 from ..topography.relief import relief_around
 from ..topography.section import terrain_section
 from ..topography.sight import Sight
+from ..workflows.simulation import Simulation, outlines
 from .overview_map import overview_map
 from .panel import muogram_panel, summary_panel
 from .profile import section_panel

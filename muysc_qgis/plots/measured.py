@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import MuyscError
-from ..measured_density import FLAG_MEANINGS, DensityResult
 from ..measurement.density import Flag
 from ..muogram import Muogram
 from ..radiography.energy_loss import ENERGY_LOSSES
 from ..radiography.spectra import MODELS
+from ..workflows.measured_density import FLAG_MEANINGS, DensityResult
 from .documents import Parameter, own_versions
 from .panel import muogram_panels, summary_panel
 from .report import Citation, OutputFile, PixelCount, Report, ReportFigure, Row

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ..expected_counts import TelescopeCounts
 from ..telescope.planning import HALF
 from ..trajectories import TrajectoryMap
+from ..workflows.expected_counts import TelescopeCounts
 from . import style
 from .directions import describe
 from .telescope_axes import (

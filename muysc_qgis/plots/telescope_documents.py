@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import __version__
-from ..expected_counts import TelescopeCounts
 from ..radiography.energy_loss import ENERGY_LOSSES
 from ..radiography.spectra import MODELS
 from ..telescope.acceptance import CITATIONS, Trajectories, plane_etendue
 from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
 from ..topography.sight import Sight
+from ..workflows.expected_counts import TelescopeCounts
 from .documents import Parameter
 from .report import Citation, OutputFile, PixelCount, Report, ReportFigure, Row
 from .style import png_bytes

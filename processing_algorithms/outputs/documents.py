@@ -21,9 +21,9 @@ from qgis.PyQt.QtCore import QDateTime, Qt
 
 from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.radiography.aperture import Aperture
-from ...muysc_qgis.simulation import Simulation
 from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.topography.sight import Sight
+from ...muysc_qgis.workflows.simulation import Simulation
 from ..parameters.values import explained
 
 if TYPE_CHECKING:

@@ -20,9 +20,9 @@ from qgis.core import (
 
 from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.radiography.aperture import Aperture
-from ...muysc_qgis.simulation import Simulation, outlines
 from ...muysc_qgis.topography.footprint import Outline
 from ...muysc_qgis.topography.sight import Sight
+from ...muysc_qgis.workflows.simulation import Simulation, outlines
 from ..compat import POLYGON, VECTOR_POLYGON, field
 from ..parameters.values import explained
 from .styles import FootprintOnLoad

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from qgis.core import QgsProcessingFeedback
 
-from ...muysc_qgis.simulation import Simulation
+from ...muysc_qgis.workflows.simulation import Simulation
 
 
 def say(feedback: QgsProcessingFeedback, simulation: Simulation, notes: Iterable[str] = ()) -> None:

@@ -19,8 +19,8 @@ from ...muysc_qgis.radiography.settings import (
     Physics,
 )
 from ...muysc_qgis.radiography.spectra import MODELS
-from ...muysc_qgis.simulation import Telescope
 from ...muysc_qgis.telescope.acceptance import trajectories
+from ...muysc_qgis.workflows.simulation import Telescope
 from .telescope import geometry_parameters, read_geometry
 from .values import choice, number, read_choice, read_number, switch
 

@@ -33,6 +33,7 @@ NEIGHBOURS = {
     "muysc_qgis/telescope": _COMMON | {"telescope", "radiography"},
     "muysc_qgis/topography": _COMMON | {"topography", "radiography", "muogram"},
     "muysc_qgis/measurement": _COMMON | {"measurement", "radiography", "muogram"},
+    "muysc_qgis/tomography": _COMMON | {"tomography"},
 }
 #: The only libraries that loading the plugin may load.
 LIGHT = {"numpy"}

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import Cancelled, MuyscError
-from muysc_qgis.expected_counts import expected_counts
 from muysc_qgis.radiography.counting import feasibility_days
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.transmission import attenuate
@@ -13,6 +12,7 @@ from muysc_qgis.telescope.geometry import TelescopeGeometry
 from muysc_qgis.telescope.planning import CountingPlan, smallest_contrast
 from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.topography.sight import take_sight
+from muysc_qgis.workflows.expected_counts import expected_counts
 
 PHYSICS = Physics()
 TELESCOPE = TelescopeGeometry(8, 8, 10.0, 200.0)

@@ -6,9 +6,9 @@ import pytest
 from muysc_qgis.errors import MuyscError
 from muysc_qgis.muogram import Muogram
 from muysc_qgis.radiography.settings import Physics
-from muysc_qgis.simulation import Telescope, through_rock
 from muysc_qgis.telescope.acceptance import trajectories
 from muysc_qgis.telescope.geometry import TelescopeGeometry
+from muysc_qgis.workflows.simulation import Telescope, through_rock
 
 COLLECTED = trajectories(TelescopeGeometry(6, 4, 10.0, 100.0))
 ROCK = Muogram(

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from muysc_qgis.expected_counts import expected_counts
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.telescope.acceptance import trajectories
 from muysc_qgis.telescope.directions import Pointing
@@ -12,6 +11,7 @@ from muysc_qgis.telescope.planning import CountingPlan
 from muysc_qgis.telescope.presets import PRESETS
 from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.topography.sight import take_sight
+from muysc_qgis.workflows.expected_counts import expected_counts
 
 pytest.importorskip("matplotlib")
 

@@ -17,7 +17,7 @@ from muysc_qgis.radiography.constants import SECONDS_PER_DAY
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.spectra import MODELS
 from muysc_qgis.radiography.transmission import attenuate
-from muysc_qgis.simulation import Telescope, simulate
+from muysc_qgis.workflows.simulation import Telescope, simulate
 
 from .row import Row
 from .terrain_rows import P1, VESUVIUS, Station

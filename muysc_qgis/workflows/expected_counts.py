@@ -11,22 +11,16 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .progress import Progress, part, report, silent
-from .radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from .radiography.raytracing import Outcome, RockPaths
-from .radiography.settings import Physics
-from .radiography.transmission import Attenuation, attenuate
-from .simulation import (
-    check_range,
-    describe,
-    describe_physics,
-    terrain_warnings,
-)
-from .telescope.acceptance import trajectories
-from .telescope.directions import Pointing
-from .telescope.geometry import TelescopeGeometry
-from .telescope.merging import check_merge, merge_sum, merged_offsets
-from .telescope.planning import (
+from ..progress import Progress, part, report, silent
+from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
+from ..radiography.raytracing import Outcome, RockPaths
+from ..radiography.settings import Physics
+from ..radiography.transmission import Attenuation, attenuate
+from ..telescope.acceptance import trajectories
+from ..telescope.directions import Pointing
+from ..telescope.geometry import TelescopeGeometry
+from ..telescope.merging import check_merge, merge_sum, merged_offsets
+from ..telescope.planning import (
     HALF,
     ON_REQUEST,
     PROBE,
@@ -34,8 +28,8 @@ from .telescope.planning import (
     merged_bins,
     planned_quantities,
 )
-from .telescope.quadrature import trajectory_means
-from .telescope.sky_table import (
+from ..telescope.quadrature import trajectory_means
+from ..telescope.sky_table import (
     FINE_ROWS,
     Layers,
     SkyGrid,
@@ -44,9 +38,15 @@ from .telescope.sky_table import (
     grid_around,
     reaches_horizon,
 )
-from .topography.sight import Sight
-from .topography.tracing import trace_terrain
-from .trajectories import TrajectoryMap, describe_telescope
+from ..topography.sight import Sight
+from ..topography.tracing import trace_terrain
+from ..trajectories import TrajectoryMap, describe_telescope
+from .simulation import (
+    check_range,
+    describe,
+    describe_physics,
+    terrain_warnings,
+)
 
 #: Share of the progress bar when all rays are traced.
 _TRACED = 0.6

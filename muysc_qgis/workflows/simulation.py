@@ -12,21 +12,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import MuyscError
-from .muogram import Muogram
-from .progress import Progress, part, report, silent
-from .radiography.aperture import Aperture
-from .radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from .radiography.counting import check_positive, exposure_days
-from .radiography.raytracing import Outcome
-from .radiography.settings import Physics
-from .radiography.transmission import attenuate
-from .telescope.acceptance import Trajectories
-from .telescope.directions import Pointing
-from .topography.footprint import Outline, aperture_outline, ground_seen
-from .topography.sight import Sight
-from .topography.tracing import trace_terrain
-from .trajectories import describe_telescope
+from ..errors import MuyscError
+from ..muogram import Muogram
+from ..progress import Progress, part, report, silent
+from ..radiography.aperture import Aperture
+from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
+from ..radiography.counting import check_positive, exposure_days
+from ..radiography.raytracing import Outcome
+from ..radiography.settings import Physics
+from ..radiography.transmission import attenuate
+from ..telescope.acceptance import Trajectories
+from ..telescope.directions import Pointing
+from ..topography.footprint import Outline, aperture_outline, ground_seen
+from ..topography.sight import Sight
+from ..topography.tracing import trace_terrain
+from ..trajectories import describe_telescope
 
 #: What the log says of rays without a flux, by cause.
 _CAUSES = {

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from .radiography.envelope import model_envelope
-from .radiography.settings import Physics
+from ..radiography.envelope import model_envelope
+from ..radiography.settings import Physics
 from .simulation import Simulation
 
 

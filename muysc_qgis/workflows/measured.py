@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .errors import MuyscError
-from .measurement.observation import (
+from ..errors import MuyscError
+from ..measurement.observation import (
     Observation,
     from_count_ratio,
     from_counts,
     from_values,
 )
-from .quantities import ERROR_SUFFIX
-from .radiography.counting import check_positive
-from .views import (
+from ..quantities import ERROR_SUFFIX
+from ..radiography.counting import check_positive
+from ..views import (
     View,
     elevation_of,
     metadata_number,

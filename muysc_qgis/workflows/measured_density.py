@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import MuyscError
-from .measured import Measurement
-from .measurement.density import (
+from ..errors import MuyscError
+from ..measurement.density import (
     Densities,
     Flag,
     Scene,
@@ -17,12 +16,11 @@ from .measurement.density import (
     measure_density,
     model_densities,
 )
-from .measurement.mean import Mean, mean_density
-from .measurement.observation import Observation, check_transmission, pixels
-from .progress import Progress, report, silent
-from .radiography.settings import Physics
-from .simulation import describe_physics
-from .views import (
+from ..measurement.mean import Mean, mean_density
+from ..measurement.observation import Observation, check_transmission, pixels
+from ..progress import Progress, report, silent
+from ..radiography.settings import Physics
+from ..views import (
     View,
     elevation_of,
     like,
@@ -31,6 +29,8 @@ from .views import (
     require_quantity,
     require_same_directions,
 )
+from .measured import Measurement
+from .simulation import describe_physics
 
 #: Detectors of two muograms farther apart than this (m) are worth a warning.
 _SAME_PLACE_M = 30.0

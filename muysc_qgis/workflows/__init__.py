@@ -1,0 +1,1 @@
+"""What the plugin does from start to end: terrain, muons, telescopes and files put together."""
