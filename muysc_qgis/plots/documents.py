@@ -70,19 +70,18 @@ def figures(
     """
     drawn = [
         ReportFigure(
-            "Rock thickness along each ray and muon flux behind it. The line is the skyline, the "
-            "mark the target.",
+            "Rock thickness along each ray and muon flux behind it, with contours.",
             png_bytes(panel(simulation)),
             "Muograms of thickness and flux",
             is_panel=True,
         )
     ]
     if sight is not None and aperture is not None:
-        drawn += [_map(simulation, sight, aperture), *_section(sight, aperture)]
+        drawn += [_map(simulation, sight, aperture), *_section(simulation, sight, aperture)]
     further = {name: simulation.muograms[name] for name in _FURTHER if name in simulation.muograms}
     drawn.append(
         ReportFigure(
-            "The other quantities on the same directions.",
+            _further_caption(simulation, further),
             png_bytes(summary_panel(further), _REPORT_DPI),
             "Muograms of " + ", ".join(one.kind.title.lower() for one in further.values()),
         )
@@ -90,9 +89,18 @@ def figures(
     return drawn
 
 
+def _further_caption(simulation: Simulation, further: Mapping[str, Muogram]) -> str:
+    caption = "The other quantities in the same directions."
+    muons = simulation.muograms["flux"].metadata.get("MUONS")
+    if "exposure" in further and muons is not None:
+        caption += f" Exposure: the time in which a pixel counts {float(muons):g} muons."
+    return caption
+
+
 def _map(simulation: Simulation, sight: Sight, aperture: Aperture) -> ReportFigure:
     sector, seen = outlines(simulation, sight, aperture)
-    wedge, ground = _metres(sector), [_metres(one) for one in seen]
+    # Where rays start in rock the ground seen has no extent.
+    wedge, ground = _metres(sector), [_metres(one) for one in seen if one.distance_m.max() > 0]
     points = np.concatenate([wedge, *ground, np.zeros((1, 2))])
     low, high = points.min(axis=0), points.max(axis=0)
     margin = _MAP_MARGIN * float(np.max(high - low))
@@ -107,9 +115,11 @@ def _map(simulation: Simulation, sight: Sight, aperture: Aperture) -> ReportFigu
         float(sight.target_distance_m * np.cos(azimuth)),
     )
     figure = overview_map(relief, target, [wedge], ground)
+    band = ": the band between the nearest and the farthest rock face along each azimuth"
     return ReportFigure(
-        "Detector, target, field of view and the ground seen: the band between the nearest and "
-        "the farthest rock face along each azimuth.",
+        f"Detector, target, field of view and the ground seen{band}."
+        if ground
+        else "Detector, target and field of view.",
         png_bytes(figure, _REPORT_DPI),
         "Map of the terrain around the detector",
     )
@@ -121,7 +131,7 @@ def _metres(outline: Outline) -> np.ndarray:
     return np.column_stack([outline.distance_m * np.sin(angle), outline.distance_m * np.cos(angle)])
 
 
-def _section(sight: Sight, aperture: Aperture) -> list[ReportFigure]:
+def _section(simulation: Simulation, sight: Sight, aperture: Aperture) -> list[ReportFigure]:
     middle = sight.boresight_elevation_deg
     half = aperture.elevation_width_deg / 2
     distance, ground = terrain_section(
@@ -134,6 +144,7 @@ def _section(sight: Sight, aperture: Aperture) -> list[ReportFigure]:
         Ray("lowest", middle - half),
         Ray("highest", middle + half),
     ]
+    described = simulation.muograms["flux"].metadata
     figure = section_panel(
         distance,
         ground,
@@ -141,10 +152,15 @@ def _section(sight: Sight, aperture: Aperture) -> list[ReportFigure]:
         rays,
         sight.target_distance_m,
         sight.boresight_azimuth_deg,
+        range_m=(
+            float(described.get("NEAR_FIELD", 0.0)),
+            float(described.get("MAX_RANGE", np.inf)),
+        ),
     )
     return [
         ReportFigure(
-            "Terrain along the boresight with the rock that rays cross.",
+            "Terrain along the boresight with the rock that rays cross. Heights are lowered by "
+            "the curvature of the Earth, so that rays are straight.",
             png_bytes(figure, _REPORT_DPI),
             "Section through the terrain along the boresight",
         )
@@ -179,9 +195,13 @@ def report(
     flux = simulation.muograms["flux"]
     total = flux.values.size
     sky = int(np.count_nonzero(simulation.muograms["opacity"].values == 0))
-    pixels = [PixelCount("with rock", simulation.rock_pixels), PixelCount("open sky", sky)]
+    pixels = [PixelCount("Rock", simulation.rock_pixels)]
+    if simulation.truncated_pixels:
+        reach = f"still in rock at the maximum range of {flux.number('MAX_RANGE'):g} m"
+        pixels.append(PixelCount("Rock, thickness cut", simulation.truncated_pixels, reach))
+    pixels.append(PixelCount("Open sky", sky))
     pixels += [
-        PixelCount("unknown", count, cause) for cause, count in simulation.unknown.items() if count
+        PixelCount("No flux", count, cause) for cause, count in simulation.unknown.items() if count
     ]
     model = MODELS[str(flux.metadata["FLUX_MODEL"])]
     return Report(
@@ -219,22 +239,28 @@ def _subtitle(flux: Muogram) -> str:
 
 def _results(simulation: Simulation) -> list[Row]:
     flux = simulation.muograms["flux"]
-    rows = [Row("Largest rock thickness", simulation.maximum_thickness_m, "m")]
-    for label, key, unit in (
-        ("Detector elevation", "DETECTOR_ELEVATION", "m"),
-        ("Target elevation", "TARGET_ELEVATION", "m"),
-        ("Distance of the target", "TARGET_DISTANCE", "m"),
-        ("Boresight azimuth", "BORESIGHT_AZIMUTH", "°"),
-        ("Boresight elevation", "BORESIGHT_ELEVATION", "°"),
+    rows = [Row("Largest rock thickness", round(simulation.maximum_thickness_m, 1), "m")]
+    for label, key, unit, digits in (
+        ("Density of the rock", "DENSITY", "g/cm³", 4),
+        ("Detector elevation", "DETECTOR_ELEVATION", "m", 1),
+        ("Target elevation", "TARGET_ELEVATION", "m", 1),
+        ("Distance of the target", "TARGET_DISTANCE", "m", 1),
+        ("Boresight azimuth", "BORESIGHT_AZIMUTH", "°", 2),
+        ("Boresight elevation", "BORESIGHT_ELEVATION", "°", 2),
     ):
         if key in flux.metadata:
-            rows.append(Row(label, flux.number(key), unit))
+            rows.append(Row(label, round(flux.number(key), digits), unit))
     for name in ("flux", "open_sky"):
         known = simulation.muograms[name].values
         known = known[np.isfinite(known)]
         if known.size:
             kind = simulation.muograms[name].kind
-            rows.append(Row(f"Smallest {kind.title.lower()}", float(known.min()), kind.unit))
-            rows.append(Row(f"Largest {kind.title.lower()}", float(known.max()), kind.unit))
-    rows.append(Row("Median exposure behind rock", simulation.median_exposure_days, "days"))
-    return rows
+            rows.append(Row(f"Smallest {kind.title.lower()}", _rounded(known.min()), kind.unit))
+            rows.append(Row(f"Largest {kind.title.lower()}", _rounded(known.max()), kind.unit))
+    median = _rounded(simulation.median_exposure_days)
+    return [*rows, Row("Median exposure behind rock", median, "days")]
+
+
+def _rounded(value: float) -> float:
+    """Return a value to three digits: no flux model knows more."""
+    return float(f"{value:.3g}")

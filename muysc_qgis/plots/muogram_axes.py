@@ -81,10 +81,10 @@ def draw_target(frame: Frame, directions: Directions) -> Artist | None:
 
 
 def draw_note(frame: Frame, text: str) -> None:
-    """Say in the middle of the frame why there is nothing else to see."""
+    """Say in the upper half of the frame, off the target, why there is nothing else to see."""
     frame.axes.text(
         0.5,
-        0.5,
+        0.75,
         text,
         transform=frame.shares,
         ha="center",

@@ -46,6 +46,7 @@ def section_panel(
     azimuth_deg: float | None = None,
     title: str = "Section along the boresight",
     subtitle: str = "",
+    range_m: tuple[float, float] = (0.0, np.inf),
 ) -> Figure:
     """Return the terrain along one azimuth with rays and the rock they cross.
 
@@ -68,6 +69,8 @@ def section_panel(
         Azimuth of the section, for the axis.
     title, subtitle
         Title, and a line below it.
+    range_m
+        Horizontal distances between which rock counts.
 
     Raises
     ------
@@ -80,8 +83,13 @@ def section_panel(
             f"The section has {np.count_nonzero(np.isfinite(ground_m))} known heights where it "
             "needs 2; choose a DEM that covers the ground between detector and target."
         )
+    near, far = range_m[0], min(range_m[1], float(distance_m[-1]))
+    counted_m, counted_ground_m = _up_to(far, distance_m, ground_m)
     rock = [
-        rock_intervals(distance_m, ground_m, detector_elevation_m, ray.elevation_deg)
+        _from(
+            near,
+            rock_intervals(counted_m, counted_ground_m, detector_elevation_m, ray.elevation_deg),
+        )
         for ray in rays
     ]
     end = _end_m(distance_m, rock, target_distance_m)
@@ -96,7 +104,15 @@ def section_panel(
 
     title, lines = fill(title, 85), fill(subtitle, 135).splitlines()
     heading = style.heading_height_in(title, lines) + 0.1
-    legend_height = _LEGEND_ROW_IN * (0.4 + (len(rays) + 4) // 2)
+    limits = [
+        (f"{name}, {ticks.number_label(round(at))} m", at)
+        for name, at in (("Near field ends", near), ("Maximum range", range_m[1]))
+        if 0 < at < end
+    ]
+    # Rays have the second column for themselves.
+    gaps = bool(np.any(np.isnan(ground_m[shown])))
+    rows = max(2 + (target_distance_m is not None) + gaps + len(limits), len(rays))
+    legend_height = _LEGEND_ROW_IN * (0.4 + rows)
     page = heading + height + _BELOW_IN + legend_height
     figure = style.new_figure(style.WIDTH_IN, page)
     style.add_heading(figure, title, lines, 0.22)
@@ -112,17 +128,37 @@ def section_panel(
     axes.set_ylim(lowest, highest)
     legend = _draw_ends(axes, detector_elevation_m, rays, target_distance_m)
     legend += _draw_ground(axes, distance_m[shown], ground_m[shown], lowest)
+    for label, at in limits:
+        line = axes.axvline(at, color=style.INK, linewidth=0.9, linestyle=":", zorder=3)
+        legend.append((label, line))
+    others = len(legend)
     for ray, intervals in zip(rays, rock):
-        line = _draw_ray(axes, ray, intervals, detector_elevation_m, end)
-        length = rock_label(distance_m, ground_m, detector_elevation_m, ray, intervals)
+        line = _draw_ray(axes, ray, intervals, detector_elevation_m, min(end, far))
+        length = rock_label(counted_m, counted_ground_m, detector_elevation_m, ray, intervals)
         angle = f"{ray.elevation_deg:.1f}°".replace("-", "−")
         legend.append((f"Ray {ray.label}, {angle}: {length}", line))
     _label_axes(axes, end, lowest, highest, height, azimuth_deg, exaggeration)
-    draw_legend(
-        figure, legend, _LEFT_IN, legend_height, -(-len(legend) // 2), _LEGEND_ROW_IN,
-        _LEGEND_COLUMN_IN,
-    )  # fmt: skip
+    for column, part in enumerate((legend[:others], legend[others:])):
+        left = _LEFT_IN + column * _LEGEND_COLUMN_IN
+        draw_legend(figure, part, left, legend_height, rows, _LEGEND_ROW_IN)
     return figure
+
+
+def _up_to(
+    far_m: float, distance_m: np.ndarray, ground_m: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return a profile that ends at a distance."""
+    inside = distance_m < far_m
+    return (
+        np.append(distance_m[inside], far_m),
+        np.append(ground_m[inside], np.interp(far_m, distance_m, ground_m)),
+    )
+
+
+def _from(near_m: float, intervals: np.ndarray) -> np.ndarray:
+    """Return the parts of (k, 2) intervals beyond a distance."""
+    beyond = np.maximum(intervals, near_m)
+    return beyond[beyond[:, 1] > beyond[:, 0]]
 
 
 def _end_m(distance_m: np.ndarray, rock: list[np.ndarray], target_m: float | None) -> float:

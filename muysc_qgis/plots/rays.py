@@ -102,6 +102,7 @@ def rock_label(
     length = np.ptp(intervals_m, axis=1).sum() / np.cos(np.radians(ray.elevation_deg))
     known = np.isfinite(ground_m)
     heights = ray_height_m(detector_elevation_m, ray.elevation_deg, distance_m)
-    hidden = np.any(~known & (heights < ground_m[known].max()))
+    highest = ground_m[known].max() if known.any() else np.inf
+    hidden = np.any(~known & (heights < highest))
     cut = len(intervals_m) > 0 and intervals_m[-1, 1] == distance_m[-1]
     return f"{'at least ' if cut or hidden else ''}{length:.0f} m of rock"

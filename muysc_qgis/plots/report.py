@@ -17,6 +17,7 @@ from typing import Union
 import numpy as np
 
 from ..errors import MuyscError
+from .ticks import power_of_ten
 
 _TEMPLATES = Path(__file__).parent / "templates"
 
@@ -142,8 +143,14 @@ def value_text(value: Value) -> str:
     if isinstance(value, (float, np.floating)):
         if np.isnan(value):
             return "unknown"
-        return f"{value:.6g}".replace("-", "−") if np.isfinite(value) else "unlimited"
+        return _six_digits(float(value)) if np.isfinite(value) else "unlimited"
     return str(value)
+
+
+def _six_digits(value: float) -> str:
+    mantissa, _, exponent = f"{value:.6g}".partition("e")
+    power = f"·{power_of_ten(int(exponent))}" if exponent else ""
+    return mantissa.replace("-", "−") + power
 
 
 def share_text(count: int, total: int) -> str:

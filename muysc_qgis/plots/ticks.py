@@ -117,8 +117,13 @@ def number_label(value: float) -> str:
         return f"{value:.6g}".replace("-", "−")
     exponent = int(np.floor(np.log10(abs(value)) + 1e-9))
     mantissa = f"{value / 10.0**exponent:.3g}".replace("-", "−")
-    power = "10" + str(exponent).translate(_SUPERSCRIPTS)
+    power = power_of_ten(exponent)
     return power if mantissa == "1" else f"{mantissa}·{power}"
+
+
+def power_of_ten(exponent: int) -> str:
+    """Return a power of ten as text: “10⁻⁵”."""
+    return "10" + str(exponent).translate(_SUPERSCRIPTS)
 
 
 def azimuth_label(azimuth_deg: float) -> str:

@@ -94,6 +94,8 @@ class Simulation:
     warnings: tuple[str, ...]
     #: Number of pixels that cannot be known, by cause.
     unknown: Mapping[str, int]
+    #: Number of pixels whose rays are still in rock at the maximum range.
+    truncated_pixels: int = 0
 
     @property
     def rock_pixels(self) -> int:
@@ -183,6 +185,7 @@ def simulate(
             # The two above say why a thickness is unknown.
             **{k: n for k, n in result.unknown.items() if k != _CAUSES["opacity"]},
         },
+        int(counts[Outcome.TRUNCATED]),
     )
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,12 +11,11 @@ from qgis.core import (
     Qgis,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
-    QgsProcessingDestinationParameter,
     QgsProcessingFeedback,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFileDestination,
 )
-from qgis.PyQt.QtCore import QDateTime, Qt
+from qgis.PyQt.QtCore import QDateTime
 
 from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.radiography.aperture import Aperture
@@ -25,14 +23,12 @@ from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.topography.sight import Sight
 from ...muysc_qgis.workflows.simulation import Simulation
 from ..parameters.values import explained
+from .told import told
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from ...muysc_qgis.plots.report import Report
-
-#: Units that labels of parameters end with.
-_UNITS = ("m", "cm", "°", "g/cm³", "cm² sr", "GeV", "days", "%")
 
 _SUFFIXES = {"PANEL": ".png", "REPORT": ".html"}
 
@@ -116,10 +112,9 @@ def stage_drawn(
         drawn = None
         if "REPORT" in staged:
             content = report(
-                _told(algorithm, parameters, context, Parameter),
-                {algorithm.parameterDefinition(name).description(): written[name]
-                 for name in written},
-                QDateTime.currentDateTime().toString(Qt.DateFormat.ISODate),
+                [Parameter(*row) for row in told(algorithm, parameters, context)],
+                _files(algorithm, parameters, written),
+                QDateTime.currentDateTime().toString("yyyy-MM-dd HH:mm"),
                 {"QGIS": Qgis.QGIS_VERSION, "GDAL": gdal.__version__},
             )  # fmt: skip
             write_report(staged["REPORT"], content)
@@ -136,6 +131,26 @@ def stage_drawn(
     return {
         name: destination(algorithm, parameters, name, context, _SUFFIXES[name]) for name in staged
     }
+
+
+def _files(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    written: Mapping[str, str],
+) -> dict[str, str]:
+    """Return the files that go with a report by what they are."""
+    files = {}
+    for definition in algorithm.parameterDefinitions():
+        name, path = definition.name(), None
+        if name in written:
+            path = written[name]
+        elif definition.isDestination() and name != "REPORT":
+            # What is drawn or written later, if it is a file with a name of its own.
+            given = parameters.get(name)
+            path = given if isinstance(given, str) and Path(given).suffix else None
+        if path is not None:
+            files[definition.description()] = path
+    return files
 
 
 def destination(
@@ -158,36 +173,3 @@ def destination(
     if Path(path).suffix.lower() != suffix:
         raise MuyscError(f"{name} goes to “{path}”; give a file name that ends in {suffix}.")
     return path
-
-
-def _told(
-    algorithm: QgsProcessingAlgorithm,
-    parameters: dict[str, Any],
-    context: QgsProcessingContext,
-    kind: type,
-) -> list[Any]:
-    """Return every input parameter with its value, for the report."""
-    rows = []
-    for definition in algorithm.parameterDefinitions():
-        if isinstance(definition, QgsProcessingDestinationParameter):
-            continue
-        value = parameters.get(definition.name())
-        if value is None:
-            value = definition.defaultValue()
-        if value is None or value == "":
-            value = "–"
-        elif isinstance(value, list) and all(isinstance(one, (str, int, float)) for one in value):
-            value = ", ".join(map(str, value))
-        elif not isinstance(value, (str, int, float)):
-            value = definition.valueAsPythonString(value, context).strip("'")
-        label, unit = _split_unit(definition.description())
-        rows.append(kind(label, value, unit))
-    return rows
-
-
-def _split_unit(label: str) -> tuple[str, str]:
-    """Return “Density (g/cm³, empty: …)” as label and unit."""
-    match = re.match(r"^(.*?) \(([^,)]+)(?:, (.*))?\)$", label)
-    if match and match.group(2) in _UNITS:
-        return match.group(1), match.group(2)
-    return label, ""

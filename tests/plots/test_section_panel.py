@@ -142,3 +142,29 @@ def test_a_profile_without_heights_is_refused():
     pytest.importorskip("matplotlib")
     with pytest.raises(MuyscError, match="0 known heights"):
         section_panel(DISTANCE, DISTANCE * np.nan, 0.0, [])
+
+
+def test_rock_counts_between_the_near_field_and_the_maximum_range():
+    pytest.importorskip("matplotlib")
+    ray = Ray("to the target", 10.0, main=True)
+    near, far = tent_crossings(10.0)
+    middle, end = near + 100.0, far - 200.0
+    figure = section_panel(DISTANCE, TENT, 0.0, [ray], 2000.0, range_m=(middle, end))
+    axes, labels = drawn(figure)
+    (rock,) = [line for line in axes.lines if line.get_linewidth() == 5.0]
+    assert rock.get_xdata() == pytest.approx([middle, end])
+    # What lies beyond the maximum range is not known, only that it is rock.
+    length = (end - middle) / np.cos(np.radians(10.0))
+    assert f"Ray to the target, 10.0°: at least {length:.0f} m of rock" in labels
+    assert f"Near field ends, {middle:.0f} m" in labels
+    assert f"Maximum range, {end:.0f} m" in labels
+    rays = [line for line in axes.lines if line.get_linewidth() == 1.4]
+    assert max(line.get_xdata()[-1] for line in rays) == pytest.approx(end)
+
+
+def test_a_range_that_ends_in_a_gap_is_drawn():
+    pytest.importorskip("matplotlib")
+    holed = np.where(DISTANCE < 500.0, np.nan, TENT)
+    figure = section_panel(DISTANCE, holed, 0.0, [Ray("", 5.0, main=True)], range_m=(0.0, 300.0))
+    _, labels = drawn(figure)
+    assert "Ray , 5.0°: at least 0 m of rock" in labels

@@ -1,0 +1,132 @@
+"""Parameters of a run as its report tells them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterPoint,
+    QgsProcessingParameterRasterLayer,
+)
+
+from ...muysc_qgis.radiography.gaisser import GAISSER_PARAMETERS
+from ...muysc_qgis.radiography.materials import MATERIALS
+from ...muysc_qgis.radiography.spectra import MODELS
+from ...muysc_qgis.telescope.presets import CUSTOM, PRESETS
+from ..parameters.telescope import NONE
+
+#: Units that labels of parameters end with, and what comes before the stand-in for no value.
+_UNITS = ("m", "cm", "°", "g/cm³", "cm² sr", "GeV", "days", "%")
+_EMPTY = "empty: "
+
+#: Sizes of a telescope, which a preset replaces.
+_SIZES = ("BARS_X", "BARS_Y", "PIXEL_SIZE", "SEPARATION", "PLANES")
+
+#: What the words of enumerations are called, by parameter.
+_TITLED: dict[str, Mapping[str, Any]] = {
+    "MATERIAL": MATERIALS,
+    "FLUX_MODEL": MODELS,
+    "GAISSER_PARAMETERS": GAISSER_PARAMETERS,
+    "PRESET": PRESETS,
+}
+
+
+def told(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> list[tuple[str, str | float | bool, str]]:
+    """Return label, value and unit of every input parameter that counts.
+
+    Where a parameter is empty, the value says what stands for it.
+    """
+    rows: list[tuple[str, str | float | bool, str]] = []
+    left_out = _without_effect(algorithm, parameters, context)
+    for definition in algorithm.parameterDefinitions():
+        if definition.isDestination() or definition.name() in left_out:
+            continue
+        label, unit, otherwise = _split_label(definition.description())
+        value = parameters.get(definition.name())
+        if value is None or value == "":
+            value = definition.defaultValue()
+        if value is not None and value != "":
+            rows.append((label, _value(algorithm, definition, value, context), unit))
+        elif otherwise:
+            rows.append((label, otherwise, ""))
+    return rows
+
+
+def _value(
+    algorithm: QgsProcessingAlgorithm,
+    definition: QgsProcessingParameterDefinition,
+    value: Any,
+    context: QgsProcessingContext,
+) -> str | float | bool:
+    """Return the value of a parameter as a reader knows it: names rather than words of scripts."""
+    read = ({definition.name(): value}, definition.name(), context)
+    if isinstance(definition, QgsProcessingParameterBoolean):
+        return bool(algorithm.parameterAsBool(*read))
+    if isinstance(definition, QgsProcessingParameterNumber):
+        return float(algorithm.parameterAsDouble(*read))
+    if isinstance(definition, QgsProcessingParameterPoint):
+        point, crs = algorithm.parameterAsPoint(*read), algorithm.parameterAsPointCrs(*read)
+        place = f"{point.x():.10g}, {point.y():.10g}".replace("-", "−")
+        return f"{place} ({crs.authid() or crs.description()})" if crs.isValid() else place
+    if isinstance(definition, QgsProcessingParameterRasterLayer):
+        layer = algorithm.parameterAsRasterLayer(*read)
+        return str(value) if layer is None else Path(layer.source()).name
+    if isinstance(definition, QgsProcessingParameterEnum) and isinstance(value, str):
+        return _title(definition.name(), value)
+    if isinstance(value, (str, float, int)):
+        return value
+    if isinstance(value, list) and all(isinstance(one, (str, int, float)) for one in value):
+        return ", ".join(map(str, value))
+    return str(definition.valueAsPythonString(value, context)).strip("'")
+
+
+def _title(name: str, word: str) -> str:
+    """Return what a word of an enumeration is called."""
+    from ...muysc_qgis.plots.spectra.losses import LAW_TITLES
+
+    if name == "ENERGY_LOSS":
+        return LAW_TITLES.get(word, word)
+    known = _TITLED.get(name, {}).get(word)
+    return word.replace("_", " ") if known is None else known.title
+
+
+def _split_label(label: str) -> tuple[str, str, str]:
+    """Return “Density (g/cm³, empty: its own)” as label, unit and what stands for no value."""
+    match = re.match(r"^(.*?) \((.*)\)$", label)
+    if match is None:
+        return label, "", ""
+    inside, _, otherwise = match.group(2).partition(_EMPTY)
+    unit = inside.split(",")[0]
+    if unit in _UNITS or (otherwise and not unit):
+        return match.group(1), unit, otherwise
+    return label, "", ""
+
+
+def _without_effect(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> set[str]:
+    """Return the parameters that other choices leave without a meaning."""
+
+    def chosen(name: str) -> str | None:
+        if not isinstance(algorithm.parameterDefinition(name), QgsProcessingParameterEnum):
+            return None
+        return str(algorithm.parameterAsEnumString(parameters, name, context))
+
+    names: set[str] = set()
+    preset, model = chosen("PRESET"), chosen("FLUX_MODEL")
+    if preset not in (None, CUSTOM):
+        names |= {*_SIZES, *(["FORMULA"] if preset == NONE else [])}
+    if model is not None and not model.startswith("gaisser"):
+        names.add("GAISSER_PARAMETERS")
+    return names
