@@ -64,35 +64,48 @@ def read_sight(
     MuyscError
         If a point is missing or cannot be used.
     """
-    points = {}
-    notes = []
-    for name in ("DETECTOR", "TARGET"):
-        if not given(parameters, name):
-            raise MuyscError(
-                f"{name} is missing; give a point, as text x,y [EPSG:code], on the DEM."
-            )
-        point = algorithm.parameterAsPoint(parameters, name, context, layer.crs())
-        value = parameters[name]
-        is_text = isinstance(value, str)
-        if is_text and not re.match(r"^\s*[-+.\deE]+\s*,\s*[-+.\deE]+", value):
-            raise MuyscError(f"{name} is “{value}”, which is not a point; write x,y [EPSG:code].")
-        points[name] = (point.x(), point.y())
-        if is_text and _BARE_POINT.match(value):
-            project = context.project()
-            crs = project.crs() if project and project.crs().isValid() else layer.crs()
-            notes.append(
-                f"{name} names no coordinate reference system; {crs.authid()} was assumed."
-            )
+    read = (algorithm, parameters)
+    detector, detector_notes = read_point(*read, "DETECTOR", context, layer)
+    target, target_notes = read_point(*read, "TARGET", context, layer)
     return (
         take_sight(
             dem,
-            points["DETECTOR"],
-            points["TARGET"],
-            read_number(algorithm, parameters, "DETECTOR_HEIGHT", context) or 0.0,
-            read_number(algorithm, parameters, "TARGET_HEIGHT", context) or 0.0,
+            detector,
+            target,
+            read_number(*read, "DETECTOR_HEIGHT", context) or 0.0,
+            read_number(*read, "TARGET_HEIGHT", context) or 0.0,
         ),
-        notes,
+        [*detector_notes, *target_notes],
     )
+
+
+def read_point(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+    layer: QgsRasterLayer,
+) -> tuple[tuple[float, float], list[str]]:
+    """Return a point in the CRS of the DEM's layer, and what had to be assumed for it.
+
+    Raises
+    ------
+    MuyscError
+        If the point is missing or none.
+    """
+    if not given(parameters, name):
+        raise MuyscError(f"{name} is missing; give a point, as text x,y [EPSG:code], on the DEM.")
+    value = parameters[name]
+    is_text = isinstance(value, str)
+    if is_text and not re.match(r"^\s*[-+.\deE]+\s*,\s*[-+.\deE]+", value):
+        raise MuyscError(f"{name} is “{value}”, which is not a point; write x,y [EPSG:code].")
+    point = algorithm.parameterAsPoint(parameters, name, context, layer.crs())
+    notes = []
+    if is_text and _BARE_POINT.match(value):
+        project = context.project()
+        crs = project.crs() if project and project.crs().isValid() else layer.crs()
+        notes.append(f"{name} names no coordinate reference system; {crs.authid()} was assumed.")
+    return (point.x(), point.y()), notes
 
 
 def aperture_parameters() -> list[QgsProcessingParameterDefinition]:
