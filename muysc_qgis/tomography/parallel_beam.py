@@ -87,8 +87,9 @@ class ParallelBeam:
         """Return the transforms of filtered projections and their padded length.
 
         The ramp is that of Ramachandran & Lakshminarayanan 1971, limited to the detectors' band
-        in space (Kak & Slaney 1988, equation 3.61), which leaves the mean as it is. A pixel holds
-        the mean over its square, whose transform, sinc u sinc v, comes on top.
+        in space (Kak & Slaney 1988, equation 3.61), which leaves the mean as it is. A reading
+        stands for the whole width of its detector, with the transform sinc f, and a pixel holds
+        the mean over its square, sinc u sinc v; both come on top.
         """
         if projections.shape != (len(self.angle_deg), self.detectors):
             raise MuyscError(
@@ -107,7 +108,8 @@ class ParallelBeam:
         transform = fft.rfft(projections, length, axis=1) * ramp
         frequency = np.arange(transform.shape[1]) / length
         angle = np.radians(self.angle_deg)[:, None]
-        transform *= np.sinc(frequency * np.cos(angle)) * np.sinc(frequency * np.sin(angle))
+        square = np.sinc(frequency * np.cos(angle)) * np.sinc(frequency * np.sin(angle))
+        transform *= np.sinc(frequency) * square
         return transform, length
 
 
