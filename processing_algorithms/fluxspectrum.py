@@ -23,11 +23,12 @@ from ..muysc_qgis.radiography.comparison import (
     compare,
     zenith_angles,
 )
-from ..muysc_qgis.radiography.comparison_tables import COLUMNS, rows, write_table
+from ..muysc_qgis.radiography.comparison_tables import COLUMNS, rows
 from ..muysc_qgis.radiography.materials import MATERIALS
 from ..muysc_qgis.radiography.settings import Physics, check_altitude
 from ..muysc_qgis.radiography.spectra import MODELS
 from ..muysc_qgis.staging import Staging
+from ..muysc_qgis.tables import write_table
 from .base import MuyscAlgorithm
 from .outputs.documents import destination, document_outputs, stage_drawn
 from .parameters.physics import physics_parameters, read_physics

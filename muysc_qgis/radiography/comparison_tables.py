@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ..errors import MuyscError
 from .comparison import AttenuationCurve, Comparison
 from .constants import G_CM2_PER_M_WATER_EQUIVALENT
 
@@ -102,29 +98,3 @@ def _flux_rows(curve: AttenuationCurve, density: float) -> list[tuple[Cell, ...]
             map(int, curve.holds),
         )
     ]
-
-
-def write_table(path: str | Path, columns: Sequence[str], lines: Iterable[Sequence[Cell]]) -> None:
-    """Write a table as comma-separated values; what is unknown stays empty.
-
-    Raises
-    ------
-    MuyscError
-        If the file cannot be written.
-    """
-    try:
-        with Path(path).open("w", encoding="utf-8", newline="") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(columns)
-            writer.writerows([_text(cell) for cell in line] for line in lines)
-    except OSError as error:
-        raise MuyscError(
-            f"The table {path} cannot be written ({error.strerror}); choose another folder or "
-            "close the program that holds the file."
-        ) from error
-
-
-def _text(cell: Cell) -> str:
-    if isinstance(cell, float):
-        return "" if math.isnan(cell) else f"{cell:.8g}"
-    return str(cell)

@@ -13,13 +13,14 @@ from muysc_qgis.radiography.comparison import (
     grid,
     zenith_angles,
 )
-from muysc_qgis.radiography.comparison_tables import COLUMNS, rows, write_table
+from muysc_qgis.radiography.comparison_tables import COLUMNS, rows
 from muysc_qgis.radiography.constants import MUON_MASS_GEV
 from muysc_qgis.radiography.energy_loss import csda_range, minimum_energy, stopping_power
 from muysc_qgis.radiography.gaisser import GAISSER_PARAMETERS
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.spectra import MODELS, differential_flux, momentum_from_kinetic
 from muysc_qgis.radiography.transmission import attenuate
+from muysc_qgis.tables import write_table
 
 ANGLES = (0.0, 75.0)
 

@@ -1,0 +1,38 @@
+"""Tables as files."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from .errors import MuyscError
+
+
+def write_table(
+    path: str | Path, columns: Sequence[str], lines: Iterable[Sequence[object]]
+) -> None:
+    """Write a table as comma-separated values; what is unknown stays empty.
+
+    Raises
+    ------
+    MuyscError
+        If the file cannot be written.
+    """
+    try:
+        with Path(path).open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(columns)
+            writer.writerows([_text(cell) for cell in line] for line in lines)
+    except OSError as error:
+        raise MuyscError(
+            f"The table {path} cannot be written ({error.strerror}); choose another folder or "
+            "close the program that holds the file."
+        ) from error
+
+
+def _text(cell: object) -> str:
+    if isinstance(cell, float):
+        return "" if math.isnan(cell) else f"{cell:.8g}"
+    return str(cell)
