@@ -4,22 +4,41 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..errors import MuyscError
 from ..progress import Progress, part, report, silent
 from .figures_of_merit import relative_error
+from .libraries import scipy_part
 from .operators import StoredPaths
 from .parallel_beam import DIRECT, ParallelBeam
 from .phantoms import SHEPP_LOGAN, ellipse_image, ellipse_projections
-from .projector import path_matrix
-from .solvers import METHODS, Options, reconstruct
+from .projector import MEMORY_LIMIT, path_matrix
+from .solvers import METHODS, PARALLEL_ONLY, Options, reconstruct
 from .system import System
 
-#: Methods that are compared unless others are asked for: all that need no prior of their own.
-COMPARABLE = (*(name for name in METHODS if name != "bayes"), *DIRECT)
+#: Every method by name, with its title.
+COMPARABLE = {**{name: method.title for name, method in METHODS.items()}, **PARALLEL_ONLY}
+
+#: Pixels along an edge, projections, and noise over the largest projection that can be asked for.
+SIZES, ANGLES, NOISES = (16, 1024), (2, 2000), (0.0, 1.0)
+
+#: Pixel edges that a ray crosses per unit of length, |cos θ| + |sin θ| on average over all
+#: directions, and the bytes that each crossing takes in the path matrix.
+_CROSSINGS, _BYTES = 4 / np.pi, 8
+
+#: The Bayesian method must know errors and a range. Where the data have no noise it is told the
+#: error that the pixels' edges make, over the largest projection; the range is the width of the
+#: head's smallest ellipses, over the edge.
+_LEAST_ERROR, _RANGE = 0.005, 0.023
+
+#: Columns of the table of a comparison.
+COLUMNS = (
+    "method", "title", "iterations", "seconds", "relative_error", "mean_absolute_error",
+    "data_misfit", "matrix_seconds",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -34,6 +53,9 @@ class MethodResult:
     iterations: int
     #: (size, size) [x, y].
     image: np.ndarray
+    #: Misfit before each iteration and after the last, over that of an empty image; empty where
+    #: the method knows none on its way.
+    misfit: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -44,12 +66,73 @@ class Comparison:
     results: tuple[MethodResult, ...]
     #: Wall time of building the path matrix; 0 where no method needs it.
     matrix_seconds: float
+    angles: int
+    #: Standard deviation of the data's errors over their largest value.
+    noise: float
+
+    @property
+    def best(self) -> MethodResult:
+        """The result of the smallest relative error."""
+        return min(self.results, key=lambda result: result.relative_error)
+
+    @property
+    def grey_error(self) -> float:
+        """Relative error of one grey level, which a method must beat to have seen anything."""
+        return relative_error(np.full(self.truth.shape, self.truth.mean()), self.truth)
+
+
+def rows(comparison: Comparison) -> list[tuple[object, ...]]:
+    """Return the rows of the table, in the order of `COLUMNS`."""
+    return [
+        (
+            result.method, COMPARABLE[result.method], result.iterations, result.seconds,
+            result.relative_error, float(np.abs(result.image - comparison.truth).mean()),
+            float(result.misfit[-1]) if len(result.misfit) else float("nan"),
+            comparison.matrix_seconds,
+        )
+        for result in comparison.results
+    ]  # fmt: skip
+
+
+def check_setting(size: int, angles: int, methods: Sequence[str], noise: float = 0.0) -> None:
+    """Refuse what cannot be compared, before anything is computed.
+
+    Raises
+    ------
+    MuyscError
+        If a method is unknown or none is given, a number is out of its range, or the path matrix
+        does not fit the memory.
+    """
+    unknown = [name for name in methods if name not in COMPARABLE]
+    if unknown:
+        raise MuyscError(
+            f"“{', '.join(unknown)}” cannot be compared; choose among {', '.join(COMPARABLE)}."
+        )
+    if not methods:
+        raise MuyscError(
+            f"There is no method to compare; choose at least one of {', '.join(COMPARABLE)}."
+        )
+    for what, value, (low, high) in (
+        ("image's edge in pixels", size, SIZES),
+        ("number of projections", angles, ANGLES),
+        ("noise", noise, NOISES),
+    ):
+        if not low <= value <= high:
+            raise MuyscError(f"The {what} is {value:g}; give one from {low:g} to {high:g}.")
+    need = angles * size**2 * _CROSSINGS * _BYTES
+    if need > MEMORY_LIMIT and any(name in METHODS for name in methods):
+        fits = int((size**2 * MEMORY_LIMIT / need) ** 0.5)
+        raise MuyscError(
+            f"The paths of {angles} projections through {size} × {size} pixels need "
+            f"{need / 2**30:.3g} GiB, more than the limit of {MEMORY_LIMIT / 2**30:.3g} GiB; use "
+            f"at most {fits} pixels along the edge, or fewer projections."
+        )
 
 
 def compare_methods(
     size: int,
     angles: int,
-    methods: Sequence[str] = COMPARABLE,
+    methods: Sequence[str] = tuple(COMPARABLE),
     options: Options | None = None,
     noise: float = 0.0,
     progress: Progress = silent,
@@ -61,7 +144,7 @@ def compare_methods(
     size, angles
         Pixels along an edge, and projections evenly spaced over 180°.
     methods
-        Names out of `COMPARABLE`.
+        Keys of `COMPARABLE`.
     options
         What to change of the methods' defaults.
     noise
@@ -72,42 +155,75 @@ def compare_methods(
     Raises
     ------
     MuyscError
-        If a method is not comparable or the path matrix does not fit the memory.
+        If the setting cannot be compared (`check_setting`).
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    unknown = [name for name in methods if name not in COMPARABLE]
-    if unknown or not methods:
-        raise MuyscError(
-            f"“{', '.join(unknown)}” cannot be compared; choose among {', '.join(COMPARABLE)}."
-        )
+    check_setting(size, angles, methods, noise)
+    options = options or Options()
+    # Loaded before the first method is timed.
+    scipy_part("fft")
     beam = ParallelBeam.around(size, angles)
     truth = ellipse_image(SHEPP_LOGAN, size)
-    # Pixels are units here, and the head's square is two wide.
-    data = ellipse_projections(SHEPP_LOGAN, beam.angle_deg, beam.offset * 2 / size) * size / 2
-    if noise:
-        seed = options.seed if options else 1
-        data = data + noise * data.max() * np.random.default_rng(seed).standard_normal(data.shape)
-    system, matrix_seconds = None, 0.0
+    data = _projections(beam, noise, options.seed)
+    system, matrix_seconds, ready = None, 0.0, 0.0
     if any(name in METHODS for name in methods):
+        ready = 0.1
         start = time.perf_counter()
-        paths = beam.paths()
-        matrix = path_matrix(paths, progress=part(progress, 0.0, 0.2))
+        system = _system(beam, data, part(progress, 0.0, ready))
         matrix_seconds = time.perf_counter() - start
-        system = System(StoredPaths(matrix), data.ravel(), beam.lattice(), paths.rays.view)
     results = []
     for number, name in enumerate(methods):
-        share = part(
-            progress, 0.2 + 0.8 * number / len(methods), 0.2 + 0.8 * (number + 1) / len(methods)
-        )
+        begin, end = (ready + (1 - ready) * (number + n) / len(methods) for n in (0, 1))
+        share = part(progress, begin, end)
         report(share, 0.0)
         start = time.perf_counter()
         if name in DIRECT:
-            image, iterations = DIRECT[name](beam, data), 1
+            image, iterations, misfit = DIRECT[name](beam, data), 1, np.empty(0)
         else:
             assert system is not None  # noqa: S101 - made above for every such method
-            result = reconstruct(name, system, options, share)
+            one, changed = _prepared(name, system, options, noise, size)
+            result = reconstruct(name, one, changed, share)
             image, iterations = result.values.reshape(size, size), result.iterations_done
+            misfit = result.misfit * _misfit_scale(one)
         seconds = time.perf_counter() - start
-        results.append(MethodResult(name, seconds, relative_error(image, truth), iterations, image))
-    return Comparison(truth, tuple(results), matrix_seconds)
+        error = relative_error(image, truth)
+        results.append(MethodResult(name, seconds, error, iterations, image, misfit))
+    return Comparison(truth, tuple(results), matrix_seconds, angles, noise)
+
+
+def _projections(beam: ParallelBeam, noise: float, seed: int) -> np.ndarray:
+    """Return the (angles, detectors) line integrals of the head, with noise on them."""
+    # Pixels are units here, and the head's square is two wide.
+    offset = beam.offset * 2 / beam.size
+    data = ellipse_projections(SHEPP_LOGAN, beam.angle_deg, offset) * beam.size / 2
+    if noise:
+        draws = np.random.default_rng(seed).standard_normal(data.shape)
+        data = data + noise * data.max() * draws
+    return data
+
+
+def _system(beam: ParallelBeam, data: np.ndarray, progress: Progress) -> System:
+    paths = beam.paths()
+    matrix = path_matrix(paths, progress=progress)
+    return System(StoredPaths(matrix), data.ravel(), beam.lattice(), paths.rays.view)
+
+
+def _prepared(
+    name: str, system: System, options: Options, noise: float, size: int
+) -> tuple[System, Options]:
+    """Return system and options with what the Bayesian method needs besides."""
+    if name != "bayes":
+        return system, options
+    error = max(noise, _LEAST_ERROR) * float(system.data.max())
+    return (
+        replace(system, errors=np.full(len(system.data), error)),
+        replace(options, correlation_length_m=_RANGE * size),
+    )
+
+
+def _misfit_scale(system: System) -> float:
+    """Return what takes a misfit to that over the root mean square of the data."""
+    if system.errors is None:
+        return 1.0
+    return float(system.errors[0] / np.sqrt(np.mean(np.square(system.data))))
