@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
-from qgis.core import Qgis, QgsField, QgsProcessing, QgsProcessingParameterDefinition, QgsWkbTypes
+from qgis.core import (
+    Qgis,
+    QgsField,
+    QgsProcessing,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterField,
+    QgsWkbTypes,
+)
 
 ADVANCED = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+VECTOR_POINT = QgsProcessing.SourceType.TypeVectorPoint
+VECTOR_LINE = QgsProcessing.SourceType.TypeVectorLine
 VECTOR_POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
+NUMERIC_FIELD = QgsProcessingParameterField.DataType.Numeric
+POINT = QgsWkbTypes.Type.Point
 POLYGON = QgsWkbTypes.Type.Polygon
 
 if Qgis.QGIS_VERSION_INT >= 33800:

@@ -11,7 +11,6 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
-    QgsProcessingParameterEnum,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterString,
 )
@@ -32,7 +31,7 @@ from ..muysc_qgis.tables import write_table
 from .base import MuyscAlgorithm
 from .outputs.documents import destination, document_outputs, stage_drawn
 from .parameters.physics import physics_parameters, read_physics
-from .parameters.values import explained, number, read_number
+from .parameters.values import choices, explained, number, read_choices, read_number
 
 #: Table of the library by output, with label and help text.
 _TABLES = {
@@ -84,7 +83,7 @@ class FluxSpectrum(MuyscAlgorithm):
         # One of the shared parameters becomes a list here.
         shared = [one for one in physics_parameters() if one.name() != "FLUX_MODEL"]
         return [
-            _choices(
+            choices(
                 "FLUX_MODELS", "Muon flux models", "Parametrised spectra to compare.",
                 list(MODELS), list(MODELS),
             ),
@@ -108,7 +107,7 @@ class FluxSpectrum(MuyscAlgorithm):
                 "correction for altitude is on.",
                 0.0, -1000, 10_000,
             ),
-            _choices(
+            choices(
                 "MATERIALS", "Materials whose energy loss is compared",
                 "The material of the rock is shown in any case.",
                 list(MATERIALS), _MATERIALS, advanced=True,
@@ -134,7 +133,7 @@ class FluxSpectrum(MuyscAlgorithm):
             self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
-        models = self._read_choices(parameters, "FLUX_MODELS", context)
+        models = read_choices(self, parameters, "FLUX_MODELS", context)
         if not models:
             raise MuyscError(f"FLUX_MODELS is empty; choose at least one of {', '.join(MODELS)}.")
         angles = parameters.get("ZENITH_ANGLES")
@@ -150,22 +149,8 @@ class FluxSpectrum(MuyscAlgorithm):
             thickness,
             read_physics(self, parameters, context, flux_model=models[0]),
             altitude,
-            self._read_choices(parameters, "MATERIALS", context),
+            read_choices(self, parameters, "MATERIALS", context),
         )
-
-    def _read_choices(
-        self, parameters: dict[str, Any], name: str, context: QgsProcessingContext
-    ) -> list[str]:
-        """Return the words chosen, refusing those that QGIS would leave out."""
-        raw = parameters.get(name)
-        options = self.parameterDefinition(name).options()
-        words = raw.split(",") if isinstance(raw, str) else raw if isinstance(raw, list) else []
-        for word in words:
-            if isinstance(word, str) and word.strip() not in ("", *options):
-                raise MuyscError(f"{name} names “{word}”; use some of {', '.join(options)}.")
-        if isinstance(raw, str) or raw == []:
-            return [word.strip() for word in words if word.strip()]
-        return list(self.parameterAsEnumStrings(parameters, name, context))
 
     def compute(
         self,
@@ -219,13 +204,3 @@ def _documents() -> list[QgsProcessingParameterDefinition]:
         "One HTML file with figures, parameters, numbers, every warning and how to cite."
     )
     return [panel, report]
-
-
-def _choices(
-    name: str, label: str, text: str, options: list[str], default: list[str], advanced: bool = False
-) -> QgsProcessingParameterDefinition:
-    """Return a parameter of several words out of a list."""
-    parameter = QgsProcessingParameterEnum(
-        name, label, options, True, default, True, usesStaticStrings=True
-    )
-    return explained(parameter, text, advanced)

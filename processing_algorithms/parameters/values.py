@@ -65,6 +65,16 @@ def choice(
     return explained(parameter, text, advanced)
 
 
+def choices(
+    name: str, label: str, text: str, options: list[str], default: list[str], advanced: bool = False
+) -> QgsProcessingParameterDefinition:
+    """Return an enumeration of which several words may be chosen."""
+    parameter = QgsProcessingParameterEnum(
+        name, label, options, True, default, True, usesStaticStrings=True
+    )
+    return explained(parameter, text, advanced)
+
+
 def switch(
     name: str, label: str, text: str, default: bool, advanced: bool = False
 ) -> QgsProcessingParameterDefinition:
@@ -147,3 +157,27 @@ def read_choice(
     if isinstance(raw, str) and raw and raw not in options:
         raise MuyscError(f"{name} is “{raw}”; use one of {', '.join(options)}.")
     return algorithm.parameterAsEnumString(parameters, name, context)
+
+
+def read_choices(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> list[str]:
+    """Return the words chosen, none where the list is empty.
+
+    Raises
+    ------
+    MuyscError
+        If a word is not one of the options, which QGIS would leave out.
+    """
+    raw = parameters.get(name)
+    options = algorithm.parameterDefinition(name).options()
+    words = raw.split(",") if isinstance(raw, str) else raw if isinstance(raw, list) else []
+    for word in words:
+        if isinstance(word, str) and word.strip() not in ("", *options):
+            raise MuyscError(f"{name} names “{word}”; use some of {', '.join(options)}.")
+    if isinstance(raw, str) or raw == []:
+        return [word.strip() for word in words if word.strip()]
+    return list(algorithm.parameterAsEnumStrings(parameters, name, context))
