@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from muysc_qgis.plots import style
+from muysc_qgis.plots import charts, style
 from muysc_qgis.plots.documents import panel
 from muysc_qgis.plots.spectra import documents, looks
 from muysc_qgis.radiography.aperture import Aperture
@@ -64,12 +64,12 @@ def differences(rows: Sequence[Row]) -> Figure:
     sections = list(dict.fromkeys(row.section for row in compared))
     height = 1.25 + _ROW_IN * (len(compared) + len(sections))
     figure = style.new_figure(style.WIDTH_IN, height)
-    looks.heading(
+    charts.heading(
         figure, 0.0, "Differences from the references",
         ["Bars: what counts as agreement; hollow: not required. Dots: ours over the reference, "
          "less 1; 0 within an interval."],
     )  # fmt: skip
-    axes = looks.place(figure, _LABELS_IN, 0.75, style.WIDTH_IN - _LABELS_IN - 0.25, height - 1.25)
+    axes = charts.place(figure, _LABELS_IN, 0.75, style.WIDTH_IN - _LABELS_IN - 0.25, height - 1.25)
     labels, places, at = [], [], 0
     for section in sections:
         axes.text(
@@ -98,21 +98,21 @@ def differences(rows: Sequence[Row]) -> Figure:
                     ["−30", "−10", "−3", "−1", "0", "1", "3", "10", "30"])  # fmt: skip
     axes.axvline(0, color=style.MUTED, linewidth=style.THIN_LINE_WIDTH, zorder=2)
     axes.minorticks_off()
-    looks.label(axes, x="Difference (%)")
+    charts.label(axes, x="Difference (%)")
     return figure
 
 
 def transport(rows: Sequence[Row]) -> Figure:
     """Draw intensities against depth for two zenith angles, with full transport beside them."""
     figure = style.new_figure(style.WIDTH_IN, 4.6)
-    looks.heading(
+    charts.heading(
         figure, 0.0, "Intensity behind rock",
         ["Left: the model against depth; squares: full transport, with the zenith angle. Right: "
          "differences at those points; blue: 15 %."],
     )  # fmt: skip
-    width = (style.WIDTH_IN - looks.LEFT_IN - looks.RIGHT_IN - 0.75) / 2
-    left = looks.place(figure, looks.LEFT_IN, 0.75, width, 3.3)
-    right = looks.place(figure, looks.LEFT_IN + width + 0.75, 0.75, width, 3.3)
+    width = (style.WIDTH_IN - charts.LEFT_IN - charts.RIGHT_IN - 0.75) / 2
+    left = charts.place(figure, charts.LEFT_IN, 0.75, width, 3.3)
+    right = charts.place(figure, charts.LEFT_IN + width + 0.75, 0.75, width, 3.3)
     depth = np.geomspace(0.1, 12.0, 80)
     for zenith, line in ((0.0, "-"), (75.0, "--")):
         flux = attenuate(depth * 1e5, np.array(90.0 - zenith), Physics(flux_model="guan")).flux
@@ -143,14 +143,14 @@ def transport(rows: Sequence[Row]) -> Figure:
         depths = [float(row.what.split("at ")[1].split(" km")[0]) for row in simulated]
         right.plot(depths, [100 * row.difference for row in simulated], "x", color=style.INK,
                    label="Guan et al. over mulder, 1 % noise")  # fmt: skip
-    looks.log_axis(left, "x", 0.1, 12.0)
-    looks.log_axis(left, "y", 1e-13, 1e-3)
+    charts.log_axis(left, "x", 0.1, 12.0)
+    charts.log_axis(left, "y", 1e-13, 1e-3)
     left.legend(frameon=False, fontsize=style.TICK_SIZE, loc="lower left")
     right.legend(frameon=False, fontsize=style.TICK_SIZE, loc="lower right")
     right.axhline(0, color=style.MUTED, linewidth=style.THIN_LINE_WIDTH)
     right.axhspan(-15, 15, color=style.SKY, zorder=0, linewidth=0)
     right.set_xlim(0, 9)
     right.set_ylim(-35, 35)
-    looks.label(left, x="Depth (km w.e.)", y="Intensity (cm⁻² s⁻¹ sr⁻¹)")
-    looks.label(right, x="Depth (km w.e.)", y="Ours less full transport (%)")
+    charts.label(left, x="Depth (km w.e.)", y="Intensity (cm⁻² s⁻¹ sr⁻¹)")
+    charts.label(right, x="Depth (km w.e.)", y="Ours less full transport (%)")
     return figure

@@ -9,7 +9,7 @@ import numpy as np
 from ...radiography.comparison import AttenuationCurve, Comparison
 from ...radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ...radiography.spectra import MODELS
-from .. import style, ticks
+from .. import charts, style, ticks
 from . import looks
 from .energy_spectra import reference_model
 
@@ -29,7 +29,7 @@ HEIGHT_IN = _HEAD_IN + _MAIN_IN + _FOOT_IN + _LEGEND_IN
 def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
     """Draw transmission and flux from a distance below the top of a figure (inches)."""
     reference = reference_model(comparison)
-    looks.heading(
+    charts.heading(
         figure,
         top_in,
         TITLE,
@@ -38,10 +38,10 @@ def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
             "to the largest of the models that hold (two or more)."
         ],
     )
-    width = (style.WIDTH_IN - looks.LEFT_IN - looks.RIGHT_IN - _MIDDLE_IN) / 2
+    width = (style.WIDTH_IN - charts.LEFT_IN - charts.RIGHT_IN - _MIDDLE_IN) / 2
     top = top_in + _HEAD_IN
-    transmission = looks.place(figure, looks.LEFT_IN, top, width, _MAIN_IN)
-    flux = looks.place(figure, looks.LEFT_IN + width + _MIDDLE_IN, top, width, _MAIN_IN)
+    transmission = charts.place(figure, charts.LEFT_IN, top, width, _MAIN_IN)
+    flux = charts.place(figure, charts.LEFT_IN + width + _MIDDLE_IN, top, width, _MAIN_IN)
     colours = looks.zenith_colours(len(comparison.zenith_deg))
     for angle, colour in zip(comparison.zenith_deg, colours):
         curves = [one for one in comparison.attenuations if one.zenith_deg == angle]
@@ -54,15 +54,15 @@ def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
         )  # fmt: skip
         looks.faded_line(flux, line.opacity_g_cm2, line.flux, line.holds, colour, "-")
     highest = max(float(np.nanmax(one.flux)) for one in comparison.attenuations)
-    looks.log_axis(transmission, "y", _LEAST_TRANSMISSION, 1.0, 8)
-    looks.log_axis(flux, "y", _LEAST_FLUX, 10.0 ** np.ceil(np.log10(highest)), 10)
-    looks.label(transmission, y="Transmission (flux / open sky)")
-    looks.label(flux, y="Muon flux (cm⁻² sr⁻¹ day⁻¹)")
+    charts.log_axis(transmission, "y", _LEAST_TRANSMISSION, 1.0, 8)
+    charts.log_axis(flux, "y", _LEAST_FLUX, 10.0 ** np.ceil(np.log10(highest)), 10)
+    charts.label(transmission, y="Transmission (flux / open sky)")
+    charts.label(flux, y="Muon flux (cm⁻² sr⁻¹ day⁻¹)")
     opacity = comparison.attenuations[0].opacity_g_cm2
     for axes in (transmission, flux):
-        looks.log_axis(axes, "x", opacity[0], opacity[-1])
+        charts.log_axis(axes, "x", opacity[0], opacity[-1])
         _mark(axes, comparison)
-        looks.label(axes, x="Opacity (g/cm²)")
+        charts.label(axes, x="Opacity (g/cm²)")
         _add_thickness(axes, comparison)
     _draw_legend(figure, top + _MAIN_IN + _FOOT_IN, comparison, colours)
 
@@ -102,7 +102,7 @@ def _add_thickness(axes: Axes, comparison: Comparison) -> None:
     top = axes.twiny()
     style.style_axes(top)
     low, high = axes.get_xlim()
-    looks.log_axis(top, "x", low / per_metre, high / per_metre)
+    charts.log_axis(top, "x", low / per_metre, high / per_metre)
     top.set_xlabel(
         f"Thickness at {comparison.physics.density:g} g/cm³ (m)",
         fontsize=style.TEXT_SIZE, labelpad=4,
@@ -112,7 +112,7 @@ def _add_thickness(axes: Axes, comparison: Comparison) -> None:
 def _draw_legend(figure: Figure, top_in: float, comparison: Comparison, colours: list[str]) -> None:
     from matplotlib.lines import Line2D
 
-    looks.legend(
+    charts.legend(
         figure,
         top_in,
         [Line2D([], [], color=colour, linewidth=1.6) for colour in colours],

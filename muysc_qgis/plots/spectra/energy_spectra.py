@@ -8,7 +8,7 @@ import numpy as np
 
 from ...radiography.comparison import Comparison, SpectrumCurve
 from ...radiography.spectra import MODELS
-from .. import style, ticks
+from .. import charts, style, ticks
 from . import looks
 
 if TYPE_CHECKING:
@@ -44,31 +44,31 @@ def reference_model(comparison: Comparison) -> str:
 def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
     """Draw the spectra from a distance below the top of a figure (inches)."""
     reference = reference_model(comparison)
-    looks.heading(figure, top_in, TITLE, _lines(comparison, reference))
+    charts.heading(figure, top_in, TITLE, _lines(comparison, reference))
     columns = _columns(comparison)
-    width = style.WIDTH_IN - looks.LEFT_IN - looks.RIGHT_IN
+    width = style.WIDTH_IN - charts.LEFT_IN - charts.RIGHT_IN
     cell_in = (width + _BETWEEN_IN) / columns - _BETWEEN_IN
     lowest, highest = _limits(comparison)
     for number, angle in enumerate(comparison.zenith_deg):
         row, column = divmod(number, columns)
-        left = looks.LEFT_IN + column * (cell_in + _BETWEEN_IN)
+        left = charts.LEFT_IN + column * (cell_in + _BETWEEN_IN)
         top = top_in + _HEAD_IN + _CELL_TITLE_IN
         top += row * (_CELL_TITLE_IN + _MAIN_IN + _GAP_IN + _RATIO_IN + _FOOT_IN)
-        main = looks.place(figure, left, top, cell_in, _MAIN_IN)
-        ratio = looks.place(figure, left, top + _MAIN_IN + _GAP_IN, cell_in, _RATIO_IN)
+        main = charts.place(figure, left, top, cell_in, _MAIN_IN)
+        ratio = charts.place(figure, left, top + _MAIN_IN + _GAP_IN, cell_in, _RATIO_IN)
         curves = [one for one in comparison.spectra if one.zenith_deg == angle]
         _draw_cell(main, ratio, curves, comparison, reference)
-        looks.log_axis(main, "y", lowest, highest, 5)
+        charts.log_axis(main, "y", lowest, highest, 5)
         main.set_title(
             f"Zenith angle {ticks.number_label(angle)}°",
             fontsize=style.HEADING_SIZE, loc="left", pad=3,
         )  # fmt: skip
         _draw_counted(main, angle, comparison, reference)
         main.set_xticklabels([])
-        looks.label(ratio, x="Kinetic energy (GeV)")
+        charts.label(ratio, x="Kinetic energy (GeV)")
         if column == 0:
-            looks.label(main, y="dI/dE (cm⁻² s⁻¹ sr⁻¹ GeV⁻¹)")
-            looks.label(ratio, y="Ratio")
+            charts.label(main, y="dI/dE (cm⁻² s⁻¹ sr⁻¹ GeV⁻¹)")
+            charts.label(ratio, y="Ratio")
         else:
             main.set_yticklabels([])
             ratio.set_yticklabels([])
@@ -103,7 +103,7 @@ def _draw_cell(
         )
     energy = base.kinetic_energy_gev
     for axes in (main, ratio):
-        looks.log_axis(axes, "x", energy[0], energy[-1], 3)
+        charts.log_axis(axes, "x", energy[0], energy[-1], 3)
     ratio.set_ylim(*_RATIOS)
     ratio.set_yticks([0.5, 1.0, 1.5], ["0.5", "1", "1.5"])
 
@@ -149,4 +149,4 @@ def _draw_legend(figure: Figure, top_in: float, comparison: Comparison) -> None:
             f"gets through {ticks.number_label(comparison.thickness_m)} m of rock "
             f"({MODELS[reference_model(comparison)].title})"
         )
-    looks.legend(figure, top_in + 0.66, artists, labels, 4)
+    charts.legend(figure, top_in + 0.66, artists, labels, 4)

@@ -9,7 +9,7 @@ import numpy as np
 from ...radiography.comparison import Comparison
 from ...radiography.energy_loss import LESPARRE_LIMIT_GEV
 from ...radiography.materials import MATERIALS
-from .. import style, ticks
+from .. import charts, style, ticks
 from . import looks
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ LAW_TITLES = {
 def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
     """Draw the energy losses from a distance below the top of a figure (inches)."""
     physics = comparison.physics
-    looks.heading(
+    charts.heading(
         figure,
         top_in,
         TITLE,
@@ -47,14 +47,14 @@ def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
             f"{physics.density:g} g/cm³ demands by the three range laws.",
         ],
     )
-    width = (style.WIDTH_IN - looks.LEFT_IN - looks.RIGHT_IN - _MIDDLE_IN) / 2
+    width = (style.WIDTH_IN - charts.LEFT_IN - charts.RIGHT_IN - _MIDDLE_IN) / 2
     top = top_in + _HEAD_IN
     pairs = []
-    for left in (looks.LEFT_IN, looks.LEFT_IN + width + _MIDDLE_IN):
+    for left in (charts.LEFT_IN, charts.LEFT_IN + width + _MIDDLE_IN):
         pairs.append(
             (
-                looks.place(figure, left, top, width, _MAIN_IN),
-                looks.place(figure, left, top + _MAIN_IN + _GAP_IN, width, _RATIO_IN),
+                charts.place(figure, left, top, width, _MAIN_IN),
+                charts.place(figure, left, top + _MAIN_IN + _GAP_IN, width, _RATIO_IN),
             )
         )
     _draw_stopping(*pairs[0], comparison)
@@ -75,14 +75,14 @@ def _draw_stopping(main: Axes, below: Axes, comparison: Comparison) -> None:
     main.plot(energy, polynomial, alpha=looks.FADED, **look)
     for axes in (main, below):
         axes.axvspan(LESPARRE_LIMIT_GEV, energy[-1], color="#ececec", zorder=0, linewidth=0)
-        looks.log_axis(axes, "x", energy[0], energy[-1])
-    looks.log_axis(main, "y", *_STOPPING)
+        charts.log_axis(axes, "x", energy[0], energy[-1])
+    charts.log_axis(main, "y", *_STOPPING)
     main.set_xticklabels([])
     below.set_ylim(*_PERCENT)
     below.axhline(0, color=style.MUTED, linewidth=style.THIN_LINE_WIDTH)
     main.legend(frameon=False, fontsize=style.TICK_SIZE, loc="upper left", labelspacing=0.3)
-    looks.label(main, y="Stopping power (MeV cm²/g)")
-    looks.label(below, x="Kinetic energy (GeV)", y="Polynomial\n− table (%)")
+    charts.label(main, y="Stopping power (MeV cm²/g)")
+    charts.label(below, x="Kinetic energy (GeV)", y="Polynomial\n− table (%)")
 
 
 def _draw_minimum_energy(main: Axes, below: Axes, comparison: Comparison) -> None:
@@ -98,12 +98,12 @@ def _draw_minimum_energy(main: Axes, below: Axes, comparison: Comparison) -> Non
             one.thickness_m, 100 * (one.minimum_energy_gev / table.minimum_energy_gev - 1), **look
         )
     for axes in (main, below):
-        looks.log_axis(axes, "x", 1.0, table.thickness_m[-1])
+        charts.log_axis(axes, "x", 1.0, table.thickness_m[-1])
         axes.axvline(
             comparison.thickness_m, color=style.MUTED, linestyle=":",
             linewidth=style.THIN_LINE_WIDTH,
         )  # fmt: skip
-    looks.log_axis(main, "y", 0.1, 10.0 ** np.ceil(np.log10(highest)))
+    charts.log_axis(main, "y", 0.1, 10.0 ** np.ceil(np.log10(highest)))
     if np.isfinite(comparison.minimum_energy_gev):
         main.plot(
             [comparison.thickness_m], [comparison.minimum_energy_gev], marker="o", markersize=5,
@@ -116,5 +116,5 @@ def _draw_minimum_energy(main: Axes, below: Axes, comparison: Comparison) -> Non
     below.set_ylim(*_PERCENT)
     below.axhline(0, color=style.MUTED, linewidth=style.THIN_LINE_WIDTH)
     main.legend(frameon=False, fontsize=style.TICK_SIZE, loc="upper left", labelspacing=0.3)
-    looks.label(main, y="Minimum kinetic energy (GeV)")
-    looks.label(below, x="Thickness (m)", y="Law −\ncsda (%)")
+    charts.label(main, y="Minimum kinetic energy (GeV)")
+    charts.label(below, x="Thickness (m)", y="Law −\ncsda (%)")
