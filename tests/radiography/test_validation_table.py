@@ -93,6 +93,8 @@ def row(ours=1.0, reference=2.0, **more):
         (row(1.0, 2.0, ours_to=3.0), 0.0, "within"),
         (row(1.0, 2.0, ours_to=1.8), -0.1, "−10.0 %"),
         (row(3.0, 2.0, reference_to=2.5, ours_to=3.5), 0.2, "+20.0 %"),
+        (row(4.1), 1.05, "2.05 times"),
+        (row(0.5), -0.75, "0.25 times"),
         (row(1.0, None), math.nan, "–"),
     ],
 )

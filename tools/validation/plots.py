@@ -93,9 +93,9 @@ def differences(rows: Sequence[Row]) -> Figure:
     axes.set_yticks(places, labels, fontsize=6.5)
     # Small differences are told apart, large ones still fit.
     axes.set_xscale("symlog", linthresh=1.0)
-    axes.set_xlim(-60, 60)
-    axes.set_xticks([-30, -10, -3, -1, 0, 1, 3, 10, 30],
-                    ["−30", "−10", "−3", "−1", "0", "1", "3", "10", "30"])  # fmt: skip
+    axes.set_xlim(-200, 6000)
+    axes.set_xticks([-100, -10, -1, 0, 1, 10, 100, 1000],
+                    ["−100", "−10", "−1", "0", "1", "10", "100", "1000"])  # fmt: skip
     axes.axvline(0, color=style.MUTED, linewidth=style.THIN_LINE_WIDTH, zorder=2)
     axes.minorticks_off()
     charts.label(axes, x="Difference (%)")

@@ -67,6 +67,8 @@ class Row:
             return "–"
         if self.difference == 0 and (self.ours_to is not None or self.reference_to is not None):
             return "within"
+        if not 0.5 <= 1 + self.difference <= 2:
+            return f"{number(1 + self.difference)} times"
         # Adding 0 turns −0.0 into 0.0.
         return f"{round(100 * self.difference, 1) + 0.0:+.1f} %".replace("-", "−")
 

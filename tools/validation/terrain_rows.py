@@ -15,9 +15,11 @@ from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.topography.sight import Sight, take_sight
 from muysc_qgis.topography.tracing import trace_terrain
 
+from . import first_muysc
 from .row import Row
 
 DATA = Path(__file__).resolve().parents[2] / "tests" / "data"
+_CASES = "Cases of the MUYSC paper"
 _PAPER = "MUYSC paper (arXiv:2303.02627); loose, see the text"
 #: Acceptance (cm² sr) and muons of the exposures.
 ACCEPTANCE, MUONS = 6.0, 10.0
@@ -74,23 +76,43 @@ def _geometry() -> Iterator[Row]:
 
 def _stations() -> Iterator[Row]:
     """Yield thickness, flux, transmission and exposure at the paper's stations."""
+    yield _stored_muogram()
     yield from _station(P1, 84.0, (84.0,), 1300.0)
     yield from _station(P4, 84.0, (84.0,), None)
     # The zenith angle of the paper's maximum is not known here.
     yield from _station(VESUVIUS, 77.0, (76.0, 78.0), 1450.0)
 
 
+def _stored_muogram() -> Row:
+    """Return the row on the one muogram that the authors of the paper have published.
+
+    It holds horizontal lengths. Its rays end four times as far as the target, at
+    z (1 + sin j) with z the height there of the line to the target: the row j = −0.14248
+    rises by 6.0°.
+    """
+    left_rad = 0.1788072 + 0.01139807 * np.arange(8)
+    stored_m = (1239.09, 1253.71, 1268.33, 1268.38, 1264.77, 1264.82, 1261.22, 1272.20)
+    ours_m = thickness_m(P1, -np.degrees(left_rad)[::-1], np.array([84.0])) * np.cos(
+        np.radians(6.0)
+    )
+    return Row(
+        _CASES, "Cerro Machín P1, zenith 84°, 10.2° to 14.8° left: mean horizontal length",
+        float(ours_m.mean()), "m", float(np.mean(stored_m)),
+        "muogram of the first MUYSC (Jhosgun/PruebaMuysc, Prueba4.dat, commit 71bfdc3)", 0.06,
+    )  # fmt: skip
+
+
 def _station(
     station: Station, zenith_deg: float, looked_at: tuple[float, ...], reference_m: float | None
 ) -> Iterator[Row]:
-    section = "Cases of the MUYSC paper"
+    section = _CASES
     azimuth = np.arange(-20.0, 20.25, 0.25)
     largest = thickness_m(station, azimuth, np.array(looked_at)).max(axis=0)
     angles = " to ".join(f"{angle:g}°" for angle in looked_at)
     yield Row(
         section, f"{station.name}, zenith {angles}: largest thickness within 20° of the target",
         float(largest[0]), "m", reference_m,
-        _PAPER if reference_m else "no number at hand", 0.15,
+        _PAPER if reference_m else "no number is public", 0.15,
         ours_to=float(largest[-1]) if len(looked_at) > 1 else None,
     )  # fmt: skip
     thickness = thickness_m(station, azimuth, np.array([zenith_deg]))[:, 0]
@@ -99,6 +121,7 @@ def _station(
     where = f"{station.name}, zenith {zenith_deg:g}°, {abs(azimuth[longest]):g}° {side}"
     where += f", {thickness[longest]:.0f} m"
     altitude = station.sight().detector_elevation_m
+    first = first_muysc.first_muons(float(thickness[longest]), zenith_deg)
     for title, physics in (
         ("as the paper chooses", Physics(flux_model="reyna-bugaev", straggling=False)),
         ("defaults", Physics()),
@@ -107,22 +130,22 @@ def _station(
             thickness[longest : longest + 1] * physics.density * 100.0, 90.0 - zenith_deg, physics,
             altitude,
         )  # fmt: skip
-        for what, value, unit in (
-            ("minimum energy", muons.minimum_energy_gev, "GeV"),
-            ("flux", muons.flux, "cm⁻² sr⁻¹ day⁻¹"),
-            ("transmission", muons.transmission, "1"),
+        for what, value, unit, reference in (
+            ("minimum energy", muons.minimum_energy_gev, "GeV", first.minimum_energy_gev),
+            ("flux", muons.flux, "cm⁻² sr⁻¹ day⁻¹", first.flux),
+            ("transmission", muons.transmission, "1", first.transmission),
             (
                 f"exposure for {MUONS:g} muons, {ACCEPTANCE:g} cm² sr",
                 exposure_days(muons.flux, ACCEPTANCE, MUONS),
                 "days",
+                MUONS / (ACCEPTANCE * first.flux),
             ),
         ):
             if what == "minimum energy" and title == "defaults":
                 continue
             yield Row(
-                section, f"{where}: {what} ({title})", float(value[0]), unit, None,
-                f"{physics.flux_model}, csda, "
-                f"{'with' if physics.straggling else 'no'} straggling, {altitude:.0f} m",
+                section, f"{where}: {what} ({title})", float(value[0]), unit, reference,
+                first_muysc.SOURCE, None,
             )  # fmt: skip
 
 
