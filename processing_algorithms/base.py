@@ -12,6 +12,7 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
+    QgsProcessingParameterFolderDestination,
 )
 from qgis.PyQt.QtGui import QIcon
 
@@ -113,7 +114,7 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         except MuyscError as error:
             return False, str(error)
         except ImportError as error:
-            return False, _missing(error)
+            return False, missing_library(error)
         return super().checkParameterValues(parameters, context)
 
     def processAlgorithm(
@@ -134,7 +135,7 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         except Cancelled:
             raise QgsProcessingException("Cancelled; nothing was written.") from None
         except ImportError as error:
-            raise QgsProcessingException(_missing(error)) from error
+            raise QgsProcessingException(missing_library(error)) from error
         except MemoryError:
             raise QgsProcessingException(
                 "There is not enough memory for this; use fewer pixels or a shorter range."
@@ -144,6 +145,8 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
     def _check_destinations(self, parameters: dict[str, Any]) -> None:
         """Refuse destinations that cannot be written before anything is computed."""
         for definition in self.parameterDefinitions():
+            if isinstance(definition, QgsProcessingParameterFolderDestination):
+                continue  # the files in it are checked when they are staged
             value = parameters.get(definition.name())
             if isinstance(value, QgsProcessingOutputLayerDefinition):
                 value = value.sink.staticValue()
@@ -175,7 +178,7 @@ def progress_of(feedback: QgsProcessingFeedback, start: float, end: float) -> Pr
     return progress
 
 
-def _missing(error: ImportError) -> str:
+def missing_library(error: ImportError) -> str:
     """Return how to get the library that could not be imported."""
     library = (error.name or "").split(".")[0]
     return (

@@ -19,6 +19,7 @@ ALGORITHMS = (
     ("density", "Density"),
     ("telescope", "Telescope"),
     ("expectedcounts", "ExpectedCounts"),
+    ("radiographyatsites", "RadiographyAtSites"),
 )
 
 

@@ -1,0 +1,171 @@
+"""A folder of muograms from many sites, and the layer that indexes it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsFeatureSink,
+    QgsFields,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFolderDestination,
+)
+
+from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.muogram import read_muogram, write_muogram
+from ...muysc_qgis.staging import Staging
+from ...muysc_qgis.workflows.simulation import Simulation
+from ...muysc_qgis.workflows.sites import StationSummary
+from ..compat import POINT, VECTOR_POINT, field
+from ..parameters.values import explained
+from .rasters import stage_raster
+
+FOLDER, INDEX = "FOLDER", "INDEX"
+
+#: Fields of the index that hold numbers, by their names in `StationSummary`.
+_NUMBERS: dict[str, type] = {
+    "detector_elevation_m": float,
+    "distance_m": float,
+    "boresight_azimuth_deg": float,
+    "boresight_elevation_deg": float,
+    "maximum_thickness_m": float,
+    "median_exposure_days": float,
+    "rock_pixels": int,
+    "unknown_pixels": int,
+}
+
+
+def folder_output() -> QgsProcessingParameterDefinition:
+    """Declare the folder."""
+    return explained(
+        QgsProcessingParameterFolderDestination(FOLDER, "Folder of the muograms"),
+        "Holds a GeoTIFF for each site and quantity, such as site_01_thickness.tif. Muograms of "
+        "an earlier run under the same names are replaced; other files are not.",
+    )
+
+
+def index_output() -> QgsProcessingParameterDefinition:
+    """Declare the index."""
+    return explained(
+        QgsProcessingParameterFeatureSink(
+            INDEX, "Index of the muograms", VECTOR_POINT, None, True, True
+        ),
+        "Layer of the sites with the name of each file in the folder, detector elevation, distance "
+        "and direction of the target, largest thickness, median exposure and unknown pixels.",
+    )
+
+
+def muogram_file(stem: str, quantity: str) -> str:
+    """Return the name of a site's file."""
+    return f"{stem}_{quantity}.tif"
+
+
+def check_folder(folder: Path, stems: Iterable[str], quantities: Sequence[str]) -> list[str]:
+    """Return what is to be said of files that stand in the folder already.
+
+    Raises
+    ------
+    MuyscError
+        If a file to write exists and is no muogram of the same quantity.
+    """
+    if not folder.is_dir():
+        return []
+    replaced = {}
+    for stem in stems:
+        for quantity in quantities:
+            path = folder / muogram_file(stem, quantity)
+            if path.exists():
+                _refuse_foreign(path, quantity)
+                replaced[path] = quantity
+    others = sorted(path.name for path in folder.glob("*.tif") if path not in replaced)
+    said = []
+    if replaced:
+        said.append(f"{len(replaced)} muograms of an earlier run in {folder} are replaced.")
+    if others:
+        said.append(
+            f"{folder} holds {len(others)} other rasters, such as {others[0]}; they are left as "
+            "they are and do not belong to this run."
+        )
+    return said
+
+
+def _refuse_foreign(path: Path, quantity: str) -> None:
+    try:
+        own = read_muogram(path).quantity == quantity
+    except MuyscError:
+        own = False
+    if not own:
+        raise MuyscError(
+            f"{path} exists and is no muogram of {quantity}, so it is not replaced; choose another "
+            "folder or move the file."
+        )
+
+
+def stage_station(
+    stem: str,
+    simulation: Simulation,
+    folder: Path,
+    quantities: Sequence[str],
+    context: QgsProcessingContext,
+    staging: Staging,
+    inputs: tuple[str, ...],
+) -> None:
+    """Stage the muograms of one site with their styles."""
+    for quantity in quantities:
+        muogram = simulation.muograms[quantity]
+        path = str(folder / muogram_file(stem, quantity))
+        write_muogram(
+            muogram, stage_raster(staging, path, inputs, context, muogram.values, muogram.kind)
+        )
+
+
+def write_index(
+    algorithm: QgsProcessingAlgorithm,
+    summaries: Iterable[StationSummary],
+    quantities: Sequence[str],
+    crs: QgsCoordinateReferenceSystem,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+) -> dict[str, str]:
+    """Write the index; called last, because a sink cannot be staged.
+
+    Raises
+    ------
+    MuyscError
+        If the sink cannot be made.
+    """
+    if parameters.get(INDEX) is None:
+        return {}
+    fields = QgsFields()
+    for name in ("site", *quantities):
+        fields.append(field(name, str))
+    for name, kind in _NUMBERS.items():
+        fields.append(field(name, kind))
+    sink, identifier = algorithm.parameterAsSink(parameters, INDEX, context, fields, POINT, crs)
+    if sink is None:
+        raise MuyscError(
+            f"{INDEX} cannot be written to “{parameters.get(INDEX)}”; choose another place."
+        )
+    for summary in summaries:
+        feature = QgsFeature(fields)
+        feature.setGeometry(QgsGeometry.fromPointXY(QgsPointXY(*summary.site.position)))
+        files = [muogram_file(summary.site.stem, quantity) for quantity in quantities]
+        values = [known(getattr(summary, name)) for name in _NUMBERS]
+        feature.setAttributes([summary.site.name, *files, *values])
+        sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
+    return {INDEX: identifier}
+
+
+def known(value: float) -> float | None:
+    """Return a number, None where it is unknown."""
+    return None if math.isnan(value) else value

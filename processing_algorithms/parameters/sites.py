@@ -1,0 +1,164 @@
+"""A point layer of sites for telescopes."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsFeature,
+    QgsFeatureSource,
+    QgsGeometry,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsRasterLayer,
+)
+
+from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.workflows.sites import Site, file_stems
+from ..compat import NUMERIC_FIELD, VECTOR_POINT
+from .values import explained, given, read_number
+from .view import sight_parameters
+
+
+def sites_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare the layer of sites, its fields, and the height where it has none."""
+    height = next(one for one in sight_parameters() if one.name() == "DETECTOR_HEIGHT")
+    return [
+        explained(
+            QgsProcessingParameterFeatureSource("SITES", "Sites", [VECTOR_POINT]),
+            "Layer of points where telescopes stand, on the DEM, in any coordinate reference "
+            "system. Sites off the DEM are skipped with a warning.",
+        ),
+        explained(
+            QgsProcessingParameterField("NAME_FIELD", "Field of the names", None, "SITES",
+                                        optional=True),
+            "Field with the name of each site, which its files begin with. Empty: site_01, "
+            "site_02 and so on, by the order in the layer.",
+        ),
+        height,
+        explained(
+            QgsProcessingParameterField("HEIGHT_FIELD", "Field of the heights above ground", None,
+                                        "SITES", NUMERIC_FIELD, optional=True),
+            "Field with the height of each telescope above the ground in m, −10000 to 10000. Where "
+            "it is empty the detector height above counts.",
+            advanced=True,
+        ),
+    ]  # fmt: skip
+
+
+def read_sites(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    layer: QgsRasterLayer,
+) -> tuple[list[Site], list[str], list[str]]:
+    """Return the sites in the CRS of the DEM's layer, what was assumed, and who has no place.
+
+    The last is a sentence for each point that cannot be brought on the map.
+
+    Raises
+    ------
+    MuyscError
+        If there is no layer of points, or a field does not exist or hold numbers.
+    """
+    read = (algorithm, parameters)
+    source = _source(*read, context)
+    name_field = _field(*read, "NAME_FIELD", context, source)
+    height_field = _field(*read, "HEIGHT_FIELD", context, source)
+    height = read_number(*read, "DETECTOR_HEIGHT", context) or 0.0
+    crs, notes = source.sourceCrs(), []
+    if not crs.isValid():
+        crs = layer.crs()
+        notes.append(f"SITES has no coordinate reference system; {crs.authid()} was assumed.")
+    to_dem = QgsCoordinateTransform(crs, layer.crs(), context.transformContext())
+    # Each point of a multipoint is a site.
+    places = [
+        (feature, point)
+        for feature in source.getFeatures()
+        for point in _points(feature.geometry(), to_dem)
+    ]
+    names = [_text(feature, name_field) for feature, _ in places]
+    sites, lost = [], []
+    for (feature, point), name, stem in zip(places, names, file_stems(names)):
+        if point is None:
+            lost.append(f"Site {name or stem} was skipped because it has no place on the map.")
+            continue
+        own = _number(feature, height_field, name or stem)
+        sites.append(Site(name or stem, point, height if own is None else own, stem))
+    return sites, notes, lost
+
+
+def _source(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> QgsFeatureSource:
+    if not given(parameters, "SITES"):
+        raise MuyscError("SITES is missing; choose a layer of points.")
+    source = algorithm.parameterAsSource(parameters, "SITES", context)
+    if source is None:
+        raise MuyscError(f"SITES “{parameters['SITES']}” is no layer; choose a layer of points.")
+    if source.featureCount() == 0:
+        raise MuyscError(f"SITES “{source.sourceName()}” is empty; add at least one point.")
+    return source
+
+
+def _field(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+    source: QgsFeatureSource,
+) -> int | None:
+    """Return the index of a field that is asked for."""
+    if not given(parameters, name):
+        return None
+    wanted = algorithm.parameterAsString(parameters, name, context)
+    index = int(source.fields().lookupField(wanted))
+    if index < 0:
+        known = ", ".join(field.name() for field in source.fields())
+        raise MuyscError(f"{name} is “{wanted}”, and SITES has only the fields {known}.")
+    return index
+
+
+def _text(feature: QgsFeature, index: int | None) -> str | None:
+    value = None if index is None else feature.attribute(index)
+    # A null of QGIS is no None, but reads like nothing.
+    text = "" if value is None else str(value).strip()
+    return None if text in ("", "NULL") else text
+
+
+def _number(feature: QgsFeature, index: int | None, name: str) -> float | None:
+    text = _text(feature, index)
+    if text is None:
+        return None
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise MuyscError(
+            f"The height of site {name} is “{text}”, which is not a finite number; correct it or "
+            "leave it empty."
+        )
+    return value
+
+
+def _points(
+    geometry: QgsGeometry, to_dem: QgsCoordinateTransform
+) -> list[tuple[float, float] | None]:
+    """Return the points of a geometry in the DEM's CRS, None for one that has no place."""
+    points: list[tuple[float, float] | None] = []
+    for vertex in geometry.vertices():
+        try:
+            point = to_dem.transform(vertex.x(), vertex.y())
+        except QgsCsException:
+            points.append(None)
+        else:
+            finite = math.isfinite(point.x()) and math.isfinite(point.y())
+            points.append((point.x(), point.y()) if finite else None)
+    return points or [None]

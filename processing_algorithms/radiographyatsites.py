@@ -1,0 +1,198 @@
+"""Muograms of one mountain from many sites."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterDefinition,
+    QgsRasterLayer,
+)
+
+from ..muysc_qgis.errors import MuyscError
+from ..muysc_qgis.radiography.aperture import Aperture
+from ..muysc_qgis.radiography.settings import Physics
+from ..muysc_qgis.staging import Staging
+from ..muysc_qgis.topography.dem import Dem
+from ..muysc_qgis.workflows.simulation import Telescope, check_range
+from ..muysc_qgis.workflows.sites import (
+    Station,
+    StationSummary,
+    gathered,
+    simulate_stations,
+    stations_of,
+)
+from .base import MuyscAlgorithm, progress_of
+from .outputs.sites import (
+    FOLDER,
+    check_folder,
+    folder_output,
+    index_output,
+    stage_station,
+    write_index,
+)
+from .parameters.physics import (
+    physics_parameters,
+    read_physics,
+    read_telescope,
+    telescope_parameters,
+)
+from .parameters.sites import read_sites, sites_parameters
+from .parameters.terrain import dem_parameters, read_dem
+from .parameters.values import choices, read_choices, read_number
+from .parameters.view import (
+    aperture_parameters,
+    read_aperture,
+    read_point,
+    sight_parameters,
+)
+
+_QUANTITIES = (
+    "thickness", "opacity", "flux", "minimum_energy", "open_sky", "transmission", "exposure",
+    "distance",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Inputs:
+    dem: Dem
+    layer: QgsRasterLayer
+    stations: list[Station]
+    #: What was assumed, and a sentence for each site that was skipped.
+    notes: list[str]
+    skipped: list[str]
+    quantities: list[str]
+    aperture: Aperture
+    max_range_m: float | None
+    near_field_m: float
+    physics: Physics
+    telescope: Telescope
+
+
+class RadiographyAtSites(MuyscAlgorithm):
+    """The main job from every point of a layer."""
+
+    NAME = "radiographyatsites"
+    TITLE = "Muograms from many sites"
+    GROUP = "Survey"
+    GROUP_ID = "survey"
+    TAGS = ("muogram", "thickness", "flux", "stations", "survey", "batch")
+
+    def declare(self) -> list[QgsProcessingParameterDefinition]:
+        target = [one for one in sight_parameters() if one.name().startswith("TARGET")]
+        return [
+            *dem_parameters(),
+            *sites_parameters(),
+            *target,
+            choices(
+                "QUANTITIES", "Quantities",
+                "What to write for each site, one raster each.",
+                list(_QUANTITIES), ["thickness", "opacity", "flux"],
+            ),
+            *aperture_parameters(),
+            *physics_parameters(),
+            *telescope_parameters(),
+            folder_output(),
+            index_output(),
+        ]  # fmt: skip
+
+    def declare_outputs(self) -> None:
+        for name, label in (
+            ("SITES_DONE", "Sites with muograms"),
+            ("SITES_SKIPPED", "Sites skipped"),
+            ("MUOGRAMS", "Muograms written"),
+            ("MAX_THICKNESS", "Largest thickness from any site (m)"),
+            ("MEDIAN_EXPOSURE", "Median over the sites of the median exposure (days)"),
+            ("UNKNOWN_PIXELS", "Pixels without a flux from all sites"),
+        ):
+            self.addOutput(QgsProcessingOutputNumber(name, label))
+
+    def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
+        read = (self, parameters)
+        dem, layer = read_dem(*read, context)
+        target, assumed = read_point(*read, "TARGET", context, layer)
+        target_height = read_number(*read, "TARGET_HEIGHT", context) or 0.0
+        max_range = read_number(*read, "MAX_RANGE", context)
+        near_field = read_number(*read, "NEAR_FIELD", context) or 0.0
+        check_range(max_range, near_field)
+        aperture = read_aperture(*read, context)
+        quantities = read_choices(*read, "QUANTITIES", context)
+        if not quantities:
+            raise MuyscError(
+                f"QUANTITIES is empty; choose at least one of {', '.join(_QUANTITIES)}."
+            )
+        sites, notes, lost = read_sites(*read, context, layer)
+        stations, skipped = stations_of(dem, sites, target, target_height, aperture)
+        return _Inputs(
+            dem,
+            layer,
+            stations,
+            [*assumed, *notes],
+            [*lost, *skipped],
+            quantities,
+            aperture,
+            max_range,
+            near_field,
+            read_physics(*read, context),
+            read_telescope(*read, context),
+        )
+
+    def compute(
+        self,
+        inputs: _Inputs,
+        parameters: dict[str, Any],
+        context: QgsProcessingContext,
+        feedback: QgsProcessingFeedback,
+        staging: Staging,
+    ) -> dict[str, Any]:
+        quantities, files = inputs.quantities, (inputs.dem.path,)
+        folder = Path(self.parameterAsString(parameters, FOLDER, context)).absolute()
+        stems = [station.site.stem for station in inputs.stations]
+        for text in inputs.notes:
+            feedback.pushInfo(text)
+        for text in (*inputs.skipped, *check_folder(folder, stems, quantities)):
+            feedback.pushWarning(text)
+        summaries: list[StationSummary] = []
+        said: list[tuple[str, str]] = []
+        for station, simulation in simulate_stations(
+            inputs.stations,
+            inputs.aperture,
+            inputs.physics,
+            inputs.telescope,
+            inputs.max_range_m,
+            inputs.near_field_m,
+            progress_of(feedback, 0.0, 0.95),
+        ):
+            stage_station(
+                station.site.stem, simulation, folder, quantities, context, staging, files
+            )
+            summaries.append(StationSummary.of(station, simulation))
+            said += [(station.site.name, warning) for warning in simulation.warnings]
+        for text in gathered(said):
+            feedback.pushWarning(text)
+        index = write_index(self, summaries, quantities, inputs.layer.crs(), parameters, context)
+        return {FOLDER: str(folder), **index, **_numbers(inputs, summaries)}
+
+
+def _numbers(inputs: _Inputs, summaries: list[StationSummary]) -> dict[str, float]:
+    thickness = np.array([one.maximum_thickness_m for one in summaries])
+    exposure = np.array([one.median_exposure_days for one in summaries])
+    return {
+        "SITES_DONE": len(summaries),
+        "SITES_SKIPPED": len(inputs.skipped),
+        "MUOGRAMS": len(summaries) * len(inputs.quantities),
+        "MAX_THICKNESS": float(np.fmax.reduce(thickness)),
+        "MEDIAN_EXPOSURE": _median(exposure),
+        "UNKNOWN_PIXELS": sum(one.unknown_pixels for one in summaries),
+    }
+
+
+def _median(values: np.ndarray) -> float:
+    known = values[np.isfinite(values)]
+    return float(np.median(known)) if known.size else float("nan")
