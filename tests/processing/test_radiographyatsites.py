@@ -65,9 +65,7 @@ def survey(vesuvius, tmp_path):
 
 
 def test_each_site_is_the_radiography_of_its_own(run, vesuvius, survey, tmp_path):
-    done = run(
-        "radiographyatsites", {**survey, "NAME_FIELD": "label", "HEIGHT_FIELD": "above"}
-    )
+    done = run("radiographyatsites", {**survey, "NAME_FIELD": "label", "HEIGHT_FIELD": "above"})
     stems = ["Casina_Amelia", "Cratere_Sud-Est_a_l_ombre", "site_03"]
     for (place, _, height), stem in zip(PLACES, stems):
         outputs = {name: str(tmp_path / f"{name}.tif") for name in ("THICKNESS", "FLUX", "OPACITY")}
