@@ -221,15 +221,10 @@ class Density(MuyscAlgorithm):
         )
         _say(feedback, result)
         files = (parameters, context, staging, inputs.paths)
-        if isinstance(inputs.thickness, TrajectoryMap):
-            if wanted(parameters, "PANEL", "REPORT"):
-                feedback.pushWarning(
-                    "Panel and report are drawn for azimuth and elevation only; in telescope "
-                    "angles the rasters are written without them."
-                )
-            results = stage_trajectories(self, _OUTPUTS, result.muograms, *files)
-            return results | _numbers(result)
-        results = stage_muograms(self, _OUTPUTS, result.muograms, *files)
+        stage = (
+            stage_trajectories if isinstance(inputs.thickness, TrajectoryMap) else stage_muograms
+        )
+        results = stage(self, _OUTPUTS, result.muograms, *files)
 
         def panel() -> Any:
             from ..muysc_qgis.plots import measured

@@ -8,16 +8,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import MuyscError
 from ..measurement.density import Flag
 from ..muogram import Muogram
+from ..quantities import QUANTITIES
 from ..radiography.energy_loss import ENERGY_LOSSES
 from ..radiography.spectra import MODELS
+from ..trajectories import TrajectoryMap
+from ..views import View, like
 from ..workflows.measured_density import FLAG_MEANINGS, DensityResult
+from .directions import describe
 from .documents import Parameter, own_versions
 from .panel import muogram_panels, summary_panel
 from .report import Citation, OutputFile, PixelCount, Report, ReportFigure, Row
 from .style import png_bytes
+from .trajectory_page import aimed_at_target, trajectory_page
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,7 +49,7 @@ _INTERVALS = (
 
 
 def panel(result: DensityResult) -> Figure:
-    """Draw density and its error with skyline and contours of the thickness.
+    """Draw density and its error with skyline and, over azimuths, contours of the thickness.
 
     Limits are left out: their value says more of the exposure than of the rock.
 
@@ -62,10 +66,11 @@ def panel(result: DensityResult) -> Figure:
     limits = result.densities.count(Flag.LOWER_LIMIT)
     if limits:
         subtitle += f"  ·  {limits} lower limits not shown"
+    subtitle = subtitle[:1].upper() + subtitle[1:]
+    if _in_telescope_angles(result):
+        return _page(result, names, "Density along the telescope's trajectories", subtitle)
     return muogram_panels(
-        [_drawn(result, name) for name in names],
-        subtitle=subtitle[:1].upper() + subtitle[1:],
-        terrain=_drawn(result, "thickness"),
+        _muograms(result, names), subtitle=subtitle, terrain=_muograms(result, ["thickness"])[0]
     )
 
 
@@ -77,24 +82,28 @@ def figures(result: DensityResult) -> list[ReportFigure]:
     MuyscError
         If matplotlib is missing.
     """
-    further = {
-        name: _drawn(result, name)
+    further = [
+        name
         for name in _FURTHER
         if name in result.muograms and np.isfinite(result.muograms[name].values).any()
-    }
+    ]
     meanings = ", ".join(f"{int(flag)} {text}" for flag, text in FLAG_MEANINGS.items())
+    lines = (
+        "Lines are the skyline, azimuths and elevations."
+        if _in_telescope_angles(result)
+        else "Lines are the skyline and the rock thickness."
+    )
     return [
         ReportFigure(
-            "Mean density along each ray and its error, one standard deviation. Lines are the "
-            "skyline and the rock thickness.",
+            "Mean density along each ray and its error, one standard deviation. " + lines,
             png_bytes(panel(result)),
             "Muograms of density and of its error",
             is_panel=True,
         ),
         ReportFigure(
             f"What the density follows from, and its interval. Flags: {meanings}.",
-            png_bytes(summary_panel(further), _REPORT_DPI),
-            "Muograms of " + ", ".join(one.kind.title.lower() for one in further.values()),
+            png_bytes(_further(result, further), _REPORT_DPI),
+            "Muograms of " + ", ".join(QUANTITIES[name].title.lower() for name in further),
         ),
     ]
 
@@ -152,15 +161,46 @@ def report(
     )
 
 
-def _drawn(result: DensityResult, name: str) -> Muogram:
-    """Return a muogram without the limits in it."""
-    muogram = result.muograms[name]
-    if not isinstance(muogram, Muogram):
-        raise MuyscError("Densities in telescope angles have no panel; leave PANEL and REPORT out.")
-    if not muogram.quantity.startswith(("density", "opacity")) or "flags" in muogram.quantity:
-        return muogram
+def _in_telescope_angles(result: DensityResult) -> bool:
+    return isinstance(result.muograms["density"], TrajectoryMap)
+
+
+def _further(result: DensityResult, names: Sequence[str]) -> Figure:
+    """Draw what the density follows from, and its interval."""
+    if _in_telescope_angles(result):
+        return _page(result, names, "Further quantities", "")
+    return summary_panel({one.quantity: one for one in _muograms(result, names)})
+
+
+def _page(result: DensityResult, names: Sequence[str], title: str, subtitle: str) -> Figure:
+    """Draw quantities in telescope angles."""
+    maps = [one for one in _drawn(result, names) if isinstance(one, TrajectoryMap)]
+    lines = [subtitle] if subtitle else []
+    thickness = result.muograms["thickness"].values
+    rock = np.where(np.isnan(thickness), np.nan, thickness > 0)
+    return trajectory_page(
+        maps,
+        [one.kind.title for one in maps],
+        title,
+        [*lines, *describe(aimed_at_target(maps[0]))],
+        rock,
+    )
+
+
+def _muograms(result: DensityResult, names: Sequence[str]) -> list[Muogram]:
+    return [one for one in _drawn(result, names) if isinstance(one, Muogram)]
+
+
+def _drawn(result: DensityResult, names: Sequence[str]) -> list[View]:
+    """Return what was found without the limits in it."""
     limits = result.densities.flags == Flag.LOWER_LIMIT
-    return muogram.with_values(muogram.quantity, np.where(limits, np.nan, muogram.values))
+    drawn = []
+    for name in names:
+        one = result.muograms[name]
+        if name.startswith(("density", "opacity")) and name != "density_flags":
+            one = like(one, name, np.where(limits, np.nan, one.values), one.metadata)
+        drawn.append(one)
+    return drawn
 
 
 def _with_error(value: float, error: float) -> str:

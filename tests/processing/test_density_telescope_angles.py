@@ -70,19 +70,25 @@ def test_counts_of_trajectories_give_the_density(run, files, tmp_path, normalise
         assert np.mean(np.abs(pulls) <= 1) == pytest.approx(0.68, abs=0.12)
 
 
-def test_a_panel_is_declined_and_the_rasters_are_written(run, files, tmp_path, recorder):
+def test_panel_and_report_show_the_trajectories(run, files, tmp_path, recorder):
+    matplotlib = pytest.importorskip("matplotlib.image")
+    pytest.importorskip("jinja2")
     feedback = recorder()
     results = run(
         "density",
         {
             "COUNTS": files["counts"], "THICKNESS": files["thickness"],
             "ACCEPTANCES": files["acceptance"], "PANEL": str(tmp_path / "p.png"),
+            "REPORT": str(tmp_path / "r.html"),
             "DENSITY": str(tmp_path / "d.tif"), "DENSITY_ERROR": str(tmp_path / "e.tif"),
         },
         feedback,
     )  # fmt: skip
-    assert "PANEL" not in results
-    assert any("azimuth and elevation only" in warning for warning in feedback.warnings)
+    assert not any("azimuth and elevation" in warning for warning in feedback.warnings)
+    assert matplotlib.imread(results["PANEL"]).std() > 0.1
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert text.count("data:image/png;base64,") == 2
+    assert "skyline, azimuths and elevations" in text
 
 
 @pytest.mark.parametrize(
