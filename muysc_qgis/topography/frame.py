@@ -58,9 +58,7 @@ class LocalFrame:
     @property
     def radius_m(self) -> float:
         """Gaussian radius of curvature √(MN) of the ellipsoid at the origin."""
-        geod = self._geod
-        sine = np.sin(np.radians(self.latitude))
-        return float(geod.a * np.sqrt(1 - geod.es) / (1 - geod.es * sine**2))
+        return _radius_m(self._geod, self.latitude)
 
     def drop(self, distance_m: np.ndarray | float) -> np.ndarray:
         """Return how far (m) the level surface falls below the horizontal plane."""
@@ -103,6 +101,11 @@ class LocalFrame:
     def wgs84(self) -> tuple[float, float]:
         """Return longitude and latitude of the origin on WGS 84, degrees."""
         return to_wgs84(_degrees(self.dem.crs), self.longitude, self.latitude)
+
+
+def _radius_m(geod: Geod, latitude: float) -> float:
+    sine = np.sin(np.radians(latitude))
+    return float(geod.a * np.sqrt(1 - geod.es) / (1 - geod.es * sine**2))
 
 
 @lru_cache(maxsize=64)
@@ -203,3 +206,30 @@ def from_wgs84(crs: CRS, longitude: float, latitude: float) -> tuple[float, floa
 
     x, y = _transformer(CRS.from_epsg(4326), crs).transform(longitude, latitude)
     return float(x), float(y)
+
+
+def transformed(
+    source: CRS, target: CRS, x: np.ndarray, y: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return positions of one CRS in another, any shape."""
+    new_x, new_y = _transformer(source, target).transform(x, y)
+    return np.asarray(new_x), np.asarray(new_y)
+
+
+def geodesic_ends(
+    crs: CRS, start: tuple[float, float], azimuth_deg: np.ndarray, distance_m: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return where geodesics from a position of a projected CRS end, in that CRS, (n,) each."""
+    longitude, latitude = _to_geographic(crs, np.asarray([start[0]]), np.asarray([start[1]]))
+    count = len(azimuth_deg)
+    ends = _geod_of(crs).fwd(
+        np.repeat(longitude, count), np.repeat(latitude, count), azimuth_deg,
+        np.full(count, distance_m),
+    )  # fmt: skip
+    return _from_geographic(crs, np.asarray(ends[0]), np.asarray(ends[1]))
+
+
+def gaussian_radius_m(crs: CRS, x: float, y: float) -> float:
+    """Return the Gaussian radius of curvature √(MN) of the ellipsoid at a position of a CRS."""
+    _, latitude = _to_geographic(crs, np.asarray([x]), np.asarray([y]))
+    return _radius_m(_geod_of(crs), float(latitude[0]))

@@ -1,0 +1,428 @@
+"""From what several stations saw to the densities of a volume.
+
+The data flow one way: stations → rock along their rays → volume → paths → densities.
+`tomography` does it all; `survey` and `reconstruct_volume` are its halves, between which data
+may be simulated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import MuyscError
+from ..progress import Progress, part, report, silent
+from ..tomography.operators import Projector, projector_of
+from ..tomography.projector import MEMORY_LIMIT, Paths, check_memory
+from ..tomography.solvers import Options, Reconstruction, method_of, reconstruct
+from ..tomography.system import GRAMS_PER_CM2, System
+from ..tomography.voxels import VoxelGrid
+from ..topography.dem import Dem
+from ..topography.frame import from_wgs84
+from ..volume import Volume
+from .sightlines import Sightlines, lay_sightlines
+from .station_data import StationData, rock_seen
+from .volume_frame import VolumeFrame, projection_for
+from .volume_plan import VolumePlan, volume_grid
+
+if TYPE_CHECKING:
+    from pyproj import CRS
+
+#: Numbers of 8 bytes that a solver keeps for each voxel, roughly: model, step, weights,
+#: neighbours and their multipliers; and the Bayesian method on its padded grid.
+_NUMBERS_PER_VOXEL = {"bayes": 100}
+_FEW_NUMBERS_PER_VOXEL = 40
+
+#: Shares of the progress bar.
+_TRACED, _LAID, _BUILT = 0.15, 0.3, 0.5
+
+
+@dataclass(frozen=True)
+class TomographyChoices:
+    """What the user decides on the way to densities.
+
+    Raises
+    ------
+    MuyscError
+        If there is no such method or a number is out of range.
+    """
+
+    #: Key of `tomography.solvers.METHODS`.
+    method: str = "tv"
+    options: Options = field(default_factory=Options)
+    #: Density (g/cm³) of the rock outside the volume and of the start; None for the mean that the
+    #: data say.
+    reference_density: float | None = None
+    #: Whether the terrain is known: no unknowns in air.
+    mask: bool = True
+    #: Relative error of opacities that have none of their own; None where it is not known.
+    relative_error: float | None = None
+    #: Error (m) of the length in rock, from what the terrain model leaves out; it adds to errors.
+    length_error_m: float = 0.0
+    #: Most memory of the path matrix; beyond it the paths are recomputed at every step.
+    memory_bytes: int = MEMORY_LIMIT
+
+    def __post_init__(self) -> None:
+        method_of(self.method)
+        density = self.reference_density
+        if density is not None and not 0 < density <= 30:
+            raise MuyscError(
+                f"A reference density of {density:g} g/cm³ is not that of any rock; give one above "
+                "0 and up to 30 g/cm³, or none for the mean that the muograms say."
+            )
+        for name, value in (("relative error", self.relative_error),
+                            ("length error", self.length_error_m)):  # fmt: skip
+            if value is not None and not 0 <= value < np.inf:
+                raise MuyscError(f"A {name} of {value:g} cannot be used; give 0 or more.")
+        if self.memory_bytes <= 0:
+            raise MuyscError(
+                f"A memory of {self.memory_bytes / 2**30:g} GiB holds no path; give more than 0."
+            )
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point on the map."""
+
+    name: str
+    #: In the CRS of the volume.
+    x: float
+    y: float
+    #: Height, m.
+    z: float
+
+
+@dataclass(frozen=True)
+class StationResidual:
+    """What a reconstruction leaves unexplained of one station."""
+
+    name: str
+    rays: int
+    #: Of data minus model, in opacity, g/cm².
+    mean: float
+    rms: float
+    #: RMS over the RMS of the opacity inside the volume.
+    relative: float
+    #: Mean square of residuals over their errors; NaN where errors are unknown.
+    chi_squared: float
+
+
+@dataclass(frozen=True)
+class Tomography:
+    """Densities of a volume, how they were reached, and what to say about them."""
+
+    #: Density (g/cm³), rays per voxel, and posterior standard deviation where the method has one;
+    #: NaN in air and, but for the rays, where no ray passes.
+    density: Volume
+    coverage: Volume
+    deviation: Volume | None
+    reconstruction: Reconstruction
+    method: str
+    reference_density: float
+    stations: tuple[Place, ...]
+    target: Place | None
+    residuals: tuple[StationResidual, ...]
+    #: ‖data − model‖ over ‖data‖ of the opacities inside the volume.
+    relative_residual: float
+    rays: int
+    #: Voxels with rock, and those of them that no ray passes.
+    rock_voxels: int
+    unseen_voxels: int
+    #: Pixels that say nothing, by cause.
+    lost: Mapping[str, int]
+    #: One sentence each.
+    warnings: tuple[str, ...]
+
+    @property
+    def grid(self) -> VoxelGrid:
+        """The voxels in the CRS of the volume."""
+        return self.density.grid
+
+    @property
+    def seen_voxels(self) -> int:
+        """Number of voxels with a density."""
+        return self.rock_voxels - self.unseen_voxels
+
+
+def tomography(
+    stations: Sequence[StationData],
+    dem: Dem,
+    plan: VolumePlan,
+    choices: TomographyChoices,
+    crs: CRS | None = None,
+    progress: Progress = silent,
+) -> Tomography:
+    """Return the densities that explain what several stations saw.
+
+    Parameters
+    ----------
+    stations
+        Opacity by direction of each.
+    dem
+        Terrain: what is rock, and what the rays cross outside the volume.
+    plan, choices
+        See there.
+    crs
+        Projected coordinate reference system; None for the DEM's own or the UTM zone.
+    progress
+        Told the share done.
+
+    Raises
+    ------
+    MuyscError
+        If a value cannot be used or the rays say nothing about the volume.
+    Cancelled
+        If the receiver of the progress asks for a stop.
+    """
+    lines = survey(stations, dem, plan, choices.mask, crs, part(progress, 0.0, _LAID))
+    return reconstruct_volume(lines, choices, part(progress, _LAID, 1.0))
+
+
+def survey(
+    stations: Sequence[StationData],
+    dem: Dem,
+    plan: VolumePlan,
+    mask: bool = True,
+    crs: CRS | None = None,
+    progress: Progress = silent,
+) -> Sightlines:
+    """Return the rays of stations through a volume, whatever they see; as in `tomography`."""
+    if not stations:
+        raise MuyscError("No muogram is given; choose those of one station or more.")
+    targets = [one.target[:2] for one in stations if one.target is not None]
+    around = targets or [(one.longitude, one.latitude) for one in stations]
+    longitude, latitude = around[0] if len(around) == 1 else np.mean(around, axis=0).tolist()
+    crs = crs or projection_for(dem, longitude, latitude)
+    rock = [
+        rock_seen(
+            station, dem,
+            part(progress, _TRACED / _LAID * n / len(stations),
+                 _TRACED / _LAID * (n + 1) / len(stations)),
+        )
+        for n, station in enumerate(stations)
+    ]  # fmt: skip
+    rough = VolumeFrame.around(crs, from_wgs84(crs, longitude, latitude))
+    grid = volume_grid(plan, rough, stations, rock, dem)
+    middle = tuple(0.5 * (low + high) for low, high in zip(grid.origin_m[:2], grid.end_m[:2]))
+    frame = VolumeFrame.around(crs, (middle[0], middle[1]))
+    return lay_sightlines(
+        stations, rock, grid, frame, dem, mask, part(progress, _TRACED / _LAID, 1.0)
+    )
+
+
+def reconstruct_volume(
+    lines: Sightlines, choices: TomographyChoices, progress: Progress = silent
+) -> Tomography:
+    """Return the densities that explain the opacities of stations whose rays are laid.
+
+    Raises
+    ------
+    MuyscError
+        If the opacities are missing, the voxels need too much memory, or a value cannot be used.
+    Cancelled
+        If the receiver of the progress asks for a stop.
+    """
+    _check_voxels(lines.grid, choices)
+    opacity, error, lost = _data(lines, choices)
+    used = np.flatnonzero(np.isfinite(opacity) & (error > 0))
+    if not used.size:
+        raise MuyscError(
+            f"None of the {len(opacity)} rays through the volume has a known opacity with an "
+            "error above 0; check the muograms and their errors."
+        )
+    opacity, error = opacity[used], error[used]
+    warnings = _warnings(lines, used, choices)
+    paths = lines.paths.take(used)
+    projector, more = _projector(paths, choices, part(progress, 0.0, _BUILT))
+    reference = choices.reference_density
+    if reference is None:
+        reference = float(opacity.sum() / (GRAMS_PER_CM2 * lines.thickness_m[used].sum()))
+    data = opacity / GRAMS_PER_CM2 - reference * lines.outside_m[used]
+    errors = error / GRAMS_PER_CM2 if np.isfinite(error).all() else None
+    system = System(projector, data, lines.lattice, paths.rays.view, errors)
+    found = reconstruct(
+        choices.method, system, _with_reference(choices.options, reference),
+        part(progress, _BUILT, 1.0),
+    )  # fmt: skip
+    report(progress, 1.0)
+    return _result(lines, choices, system, found, reference, lost, (*warnings, *more))
+
+
+def _check_voxels(grid: VoxelGrid, choices: TomographyChoices) -> None:
+    """Refuse voxels of which not even the vectors fit the memory."""
+    each = 8 * _NUMBERS_PER_VOXEL.get(choices.method, _FEW_NUMBERS_PER_VOXEL)
+    need = each * grid.count
+    if need > choices.memory_bytes:
+        factor = 1.02 * (need / choices.memory_bytes) ** (1 / 3)
+        raise MuyscError(
+            f"{' × '.join(map(str, grid.shape))} voxels of {grid.size_m[0]:g} m need about "
+            f"{need / 2**30:.3g} GiB with {choices.method}, more than the limit of "
+            f"{choices.memory_bytes / 2**30:.3g} GiB; use voxels of "
+            f"{factor * grid.size_m[0]:.3g} m or larger, or allow more memory."
+        )
+
+
+def _data(
+    lines: Sightlines, choices: TomographyChoices
+) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
+    """Return opacity and error (g/cm²) of each ray, the error infinite where it is not known."""
+    opacities, errors = [], []
+    lost: dict[str, int] = dict(lines.lost)
+    for station in lines.stations:
+        if station.opacity is None:
+            raise MuyscError(f"{station.name} has no opacities; simulate or read them first.")
+        opacities.append(station.opacity)
+        if station.error is not None:
+            errors.append(station.error)
+        elif choices.relative_error is not None:
+            errors.append(choices.relative_error * station.opacity)
+        else:
+            errors.append(np.full(len(station), np.inf))
+        for cause, count in station.lost.items():
+            lost[cause] = lost.get(cause, 0) + count
+    opacity = np.concatenate(opacities)[lines.pixel]
+    error = np.concatenate(errors)[lines.pixel]
+    if np.isfinite(error).any():
+        density = choices.reference_density or 2.65
+        error = np.hypot(error, GRAMS_PER_CM2 * density * choices.length_error_m)
+    return opacity, error, {cause: count for cause, count in lost.items() if count}
+
+
+def _projector(
+    paths: Paths, choices: TomographyChoices, progress: Progress
+) -> tuple[Projector, tuple[str, ...]]:
+    """Return the path matrix, or what recomputes it with a warning where it does not fit."""
+    warnings: tuple[str, ...] = ()
+    try:
+        check_memory(paths, choices.memory_bytes)
+    except MuyscError as error:
+        warnings = (f"The paths are recomputed at every step, which is slow. {error}",)
+    return projector_of(paths, choices.memory_bytes, progress), warnings
+
+
+def _with_reference(options: Options, reference: float) -> Options:
+    """Return options that start from the reference density where nothing else is asked for."""
+    if options.start is None:
+        options = replace(options, start=reference)
+    if options.prior_density is None:
+        options = replace(options, prior_density=reference)
+    return options
+
+
+def _warnings(lines: Sightlines, used: np.ndarray, choices: TomographyChoices) -> list[str]:
+    """Return what limits the result before anything is computed."""
+    warnings = []
+    if len(lines.stations) == 1:
+        warnings.append(
+            "There is one station only, so that nothing tells near rock from far: densities are "
+            "smeared along its rays; add stations that look from other sides."
+        )
+    without = [
+        station.name
+        for number, station in enumerate(lines.stations)
+        if not np.any(lines.paths.rays.view[used] == number)
+    ]
+    if without:
+        warnings.append(
+            f"{', '.join(without)}: no ray of known opacity crosses the rock of the volume, so "
+            "this says nothing about it; choose a larger extent or leave it out."
+        )
+    share = 1 - lines.inside_m[used].sum() / lines.thickness_m[used].sum()
+    if share > 0.5:
+        density = choices.reference_density
+        taken = "the mean density" if density is None else f"{density:g} g/cm³"
+        warnings.append(
+            f"{100 * share:.0f} % of the rock on the rays is outside the volume and taken for "
+            f"rock of {taken}; choose a larger extent or a lower base."
+        )
+    return warnings
+
+
+def _result(
+    lines: Sightlines,
+    choices: TomographyChoices,
+    system: System,
+    found: Reconstruction,
+    reference: float,
+    lost: Mapping[str, int],
+    warnings: Sequence[str],
+) -> Tomography:
+    """Put everything back on the map."""
+    lattice = system.lattice
+    rays = system.paths.coverage()
+    seen = rays > 0
+    metadata: dict[str, str | float] = {
+        "METHOD": choices.method,
+        "ITERATIONS": found.iterations_done,
+        "REFERENCE_DENSITY": reference,
+        "STATIONS": float(len(lines.stations)),
+        "RAYS": float(len(system.data)),
+        "TERRAIN_MASK": "yes" if choices.mask else "no",
+    }
+    crs = lines.frame.crs.to_wkt()
+
+    def volume(quantity: str, values: np.ndarray) -> Volume:
+        return Volume(quantity, lines.grid, lattice.expand(values), crs, metadata)
+
+    residual = system.data - system.paths.forward(found.values)
+    return Tomography(
+        density=volume("density", np.where(seen, found.values, np.nan)),
+        coverage=volume("coverage", rays.astype(float)),
+        deviation=(
+            None
+            if found.deviation is None
+            else volume("density_error", np.where(seen, found.deviation, np.nan))
+        ),
+        reconstruction=found,
+        method=choices.method,
+        reference_density=reference,
+        stations=tuple(
+            Place(one.name, *lines.frame.place(one.longitude, one.latitude), one.elevation_m)
+            for one in lines.stations
+        ),
+        target=_target(lines),
+        residuals=tuple(_residuals(lines, system, residual)),
+        relative_residual=_rms(residual) / _rms(system.data),
+        rays=len(system.data),
+        rock_voxels=lattice.count,
+        unseen_voxels=int(np.count_nonzero(~seen)),
+        lost=lost,
+        warnings=tuple(warnings),
+    )
+
+
+def _target(lines: Sightlines) -> Place | None:
+    """Return the middle of what the stations look at."""
+    targets = [one.target for one in lines.stations if one.target is not None]
+    if not targets:
+        return None
+    longitude, latitude, height = np.mean(targets, axis=0).tolist()
+    return Place("target", *lines.frame.place(longitude, latitude), height)
+
+
+def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[StationResidual]:
+    rows = []
+    for number, station in enumerate(lines.stations):
+        which = np.flatnonzero(system.view == number)
+        left = residual[which]
+        chi_squared = np.nan
+        if system.errors is not None and which.size:
+            chi_squared = float(np.mean((left / system.errors[which]) ** 2))
+        rows.append(
+            StationResidual(
+                station.name,
+                len(which),
+                GRAMS_PER_CM2 * float(left.mean()) if which.size else np.nan,
+                GRAMS_PER_CM2 * _rms(left),
+                _rms(left) / _rms(system.data[which]) if which.size else np.nan,
+                chi_squared,
+            )
+        )
+    return rows
+
+
+def _rms(values: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(np.square(values)))) if len(values) else np.nan

@@ -1,0 +1,147 @@
+"""Where a volume lies on the map: true metres, true north and straight rays in a projection."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import MuyscError
+from ..tomography.voxels import VoxelGrid
+from ..topography.dem import Dem
+from ..topography.frame import from_wgs84, gaussian_radius_m, geodesic_ends, to_wgs84
+
+if TYPE_CHECKING:
+    from pyproj import CRS
+
+#: Half the distance (m) over which scale and north of a projection are measured.
+_BASE_LINE_M = 500.0
+
+#: Largest share by which a projection may stretch lengths: 0.04 % at the middle of a UTM zone,
+#: 0.1 % at its border.
+_MOST_STRETCH = 0.01
+
+#: Largest share by which it may stretch one direction more than another.
+_MOST_SKEW = 0.001
+
+
+@dataclass(frozen=True)
+class VolumeFrame:
+    """A projection around the middle of a volume, in metres that are true there.
+
+    Horizontal positions are counted from the middle and divided by the projection's scale
+    there, so that lengths are true: across a volume 10 km wide the scale of a UTM zone
+    changes by less than 1e-4. Heights stay heights above the level surface.
+    """
+
+    crs: CRS
+    #: Position of the middle in the CRS.
+    middle: tuple[float, float]
+    #: Metres of the CRS for one on the ground.
+    scale: float
+    #: Radius of the Earth in the middle.
+    radius_m: float
+
+    @classmethod
+    def around(cls, crs: CRS, middle: tuple[float, float]) -> VolumeFrame:
+        """Return the frame around a position of a projected CRS.
+
+        Raises
+        ------
+        MuyscError
+            If lengths are not true in the projection.
+        """
+        stretch = _stretch(crs, middle)
+        widest, least = np.linalg.svd(stretch, compute_uv=False)
+        scale = float(np.sqrt(widest * least))
+        if abs(scale - 1) > _MOST_STRETCH or widest / least - 1 > _MOST_SKEW:
+            raise MuyscError(
+                f"{crs.name} stretches lengths by {100 * (widest - 1):.2g} % here, too much for "
+                "voxels of one size; choose a projection that is true to scale, such as the UTM "
+                f"zone {utm_zone(*to_wgs84(crs, *middle)).name}."
+            )
+        return cls(crs, middle, scale, gaussian_radius_m(crs, *middle))
+
+    def metric(self, grid: VoxelGrid) -> VoxelGrid:
+        """Return a grid of the CRS in true metres around the middle."""
+        (x, y, z), (width, depth, height) = grid.origin_m, grid.size_m
+        east, north = self.local(np.array(x), np.array(y))
+        size = (width / self.scale, depth / self.scale, height)
+        return VoxelGrid((float(east), float(north), z), size, grid.shape)
+
+    def local(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return true metres east and north of the middle of positions in the CRS."""
+        return (x - self.middle[0]) / self.scale, (y - self.middle[1]) / self.scale
+
+    def place(self, longitude: float, latitude: float) -> tuple[float, float]:
+        """Return the position in the CRS of a WGS 84 longitude and latitude."""
+        return from_wgs84(self.crs, longitude, latitude)
+
+    def lines(
+        self,
+        station: Sequence[float],
+        azimuth_deg: np.ndarray,
+        elevation_deg: np.ndarray,
+        touching_m: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return straight rays of a station in the frame.
+
+        The Earth falls away below a ray, so that its height above sea level is
+        h + d tan θ + d²/2R at the distance d. The line that touches this curve at the distance
+        D rises from h − D²/2R by tan θ + D/R; around D it is off by (d − D)²/2R, 8 cm after
+        1 km. True north is that of the station.
+
+        Parameters
+        ----------
+        station
+            x and y in the CRS, and height.
+        azimuth_deg, elevation_deg
+            (n,) directions.
+        touching_m
+            (n,) D, the horizontal distance of the rock that matters.
+
+        Returns
+        -------
+        tuple
+            (n, 3) origins and (n, 3) unit directions: east, north and up in true metres.
+        """
+        azimuth = np.radians(azimuth_deg)
+        level = np.stack([np.sin(azimuth), np.cos(azimuth)], axis=-1)
+        turn = _stretch(self.crs, (station[0], station[1]))
+        level = level @ turn.T
+        level /= np.linalg.norm(level, axis=-1, keepdims=True)
+        slope = np.tan(np.radians(elevation_deg)) + touching_m / self.radius_m
+        direction = np.concatenate([level, slope[:, None]], axis=1)
+        direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+        east, north = self.local(np.array(station[0]), np.array(station[1]))
+        origin = np.empty(direction.shape)
+        origin[:, :2] = float(east), float(north)
+        origin[:, 2] = station[2] - touching_m**2 / (2 * self.radius_m)
+        return origin, direction
+
+
+def projection_for(dem: Dem, longitude: float, latitude: float) -> CRS:
+    """Return the DEM's own CRS where its lengths are true metres, else the UTM zone."""
+    crs = dem.crs
+    if crs.is_projected and all(axis.unit_conversion_factor == 1 for axis in crs.axis_info[:2]):
+        try:
+            return VolumeFrame.around(crs, from_wgs84(crs, longitude, latitude)).crs
+        except MuyscError:
+            return utm_zone(longitude, latitude)
+    return utm_zone(longitude, latitude)
+
+
+def utm_zone(longitude: float, latitude: float) -> CRS:
+    """Return the UTM zone on WGS 84 of a position."""
+    from pyproj import CRS
+
+    zone = int((longitude + 180.0) % 360.0 // 6) + 1
+    return CRS.from_epsg((32600 if latitude >= 0 else 32700) + zone)
+
+
+def _stretch(crs: CRS, place: tuple[float, float]) -> np.ndarray:
+    """Return d(x, y)/d(east, north) of a CRS at a position, 2 × 2."""
+    x, y = geodesic_ends(crs, place, np.array([90.0, 0.0, 270.0, 180.0]), _BASE_LINE_M)
+    return np.array([x[:2] - x[2:], y[:2] - y[2:]]) / (2 * _BASE_LINE_M)
