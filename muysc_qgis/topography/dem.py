@@ -134,7 +134,7 @@ class Dem:
                     self.read(0, row, beyond, rows),
                 )
                 return np.concatenate(parts, axis=1)
-        values, unknown = self._read_stored(column, row, columns, rows)
+        values, unknown = self.read_stored(column, row, columns, rows)
         heights = values.astype(float)
         unknown |= ~np.isfinite(heights)
         # What is no data may be beyond all bounds: it takes no part.
@@ -145,7 +145,7 @@ class Dem:
             self._refuse_non_elevation(np.nanmin(heights), np.nanmax(heights))
         return heights
 
-    def _read_stored(
+    def read_stored(
         self, column: int, row: int, columns: int, rows: int
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return a window as stored, and where the file says that there is no data."""
