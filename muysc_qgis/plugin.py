@@ -8,6 +8,7 @@ from qgis.core import QgsApplication
 
 if TYPE_CHECKING:
     from ..processing_algorithms.provider import MuyscProvider
+    from .gui.desktop import Desktop
 
 
 class MuyscPlugin:
@@ -17,6 +18,7 @@ class MuyscPlugin:
         """Keep the interface, which is None in qgis_process."""
         self.iface = iface
         self.provider: MuyscProvider | None = None
+        self.desktop: Desktop | None = None
 
     def initProcessing(self) -> None:  # noqa: N802 - QGIS calls it
         """Register the provider."""
@@ -28,9 +30,16 @@ class MuyscPlugin:
     def initGui(self) -> None:  # noqa: N802 - QGIS calls it
         """Set up what the desktop needs."""
         self.initProcessing()
+        # Widgets cannot even be imported where there is no desktop.
+        from .gui.desktop import Desktop
+
+        self.desktop = Desktop(self.iface)
 
     def unload(self) -> None:
         """Take everything out again."""
+        if self.desktop is not None:
+            self.desktop.remove()
+            self.desktop = None
         if self.provider is not None:
             QgsApplication.processingRegistry().removeProvider(self.provider)
             self.provider = None

@@ -13,6 +13,7 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
+from ..muysc_qgis.progress import Progress, silent
 from ..muysc_qgis.radiography.aperture import Aperture
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
@@ -50,7 +51,9 @@ _OUTPUTS = {
 
 
 @dataclass(frozen=True)
-class _Inputs:
+class Inputs:
+    """What a radiography starts from."""
+
     layer: QgsRasterLayer
     sight: Sight
     notes: list[str]
@@ -59,6 +62,26 @@ class _Inputs:
     near_field_m: float
     physics: Physics
     telescope: Telescope
+
+    def simulate(self, progress: Progress = silent) -> Simulation:
+        """Simulate it.
+
+        Raises
+        ------
+        MuyscError
+            If a number cannot be used or the DEM cannot be read.
+        Cancelled
+            If `progress` asks for a stop.
+        """
+        return simulate(
+            self.sight,
+            self.aperture,
+            self.physics,
+            self.telescope,
+            self.max_range_m,
+            self.near_field_m,
+            progress,
+        )
 
 
 class Radiography(MuyscAlgorithm):
@@ -95,7 +118,7 @@ class Radiography(MuyscAlgorithm):
         ):
             self.addOutput(QgsProcessingOutputNumber(name, label))
 
-    def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
+    def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Inputs:
         dem, layer = read_dem(self, parameters, context)
         sight, notes = read_sight(self, parameters, context, dem, layer)
         max_range = read_number(self, parameters, "MAX_RANGE", context)
@@ -103,7 +126,7 @@ class Radiography(MuyscAlgorithm):
         check_range(max_range, near_field)
         aperture = read_aperture(self, parameters, context)
         aperture.directions(sight.boresight_azimuth_deg, sight.boresight_elevation_deg)
-        return _Inputs(
+        return Inputs(
             layer,
             sight,
             notes,
@@ -116,22 +139,14 @@ class Radiography(MuyscAlgorithm):
 
     def compute(
         self,
-        inputs: _Inputs,
+        inputs: Inputs,
         parameters: dict[str, Any],
         context: QgsProcessingContext,
         feedback: QgsProcessingFeedback,
         staging: Staging,
     ) -> dict[str, Any]:
         sight = inputs.sight
-        simulation = simulate(
-            sight,
-            inputs.aperture,
-            inputs.physics,
-            inputs.telescope,
-            inputs.max_range_m,
-            inputs.near_field_m,
-            progress_of(feedback, 0.0, 0.7),
-        )
+        simulation = inputs.simulate(progress_of(feedback, 0.0, 0.7))
         if wanted(parameters, "FLUX_MINIMUM", "FLUX_MAXIMUM"):
             simulation = with_flux_spread(simulation, inputs.physics)
         say(feedback, simulation, inputs.notes)

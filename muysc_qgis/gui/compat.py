@@ -1,0 +1,16 @@
+"""The few places where Qt 5 and Qt 6, and versions of QGIS, name things differently."""
+
+from __future__ import annotations
+
+from qgis.core import QgsMapLayerProxyModel, QgsWkbTypes
+from qgis.PyQt.QtCore import QPointF
+from qgis.PyQt.QtGui import QMouseEvent
+
+RASTER_LAYERS = QgsMapLayerProxyModel.Filter.RasterLayer
+POLYGONS = QgsWkbTypes.GeometryType.PolygonGeometry
+LINES = QgsWkbTypes.GeometryType.LineGeometry
+
+
+def position_of(event: QMouseEvent) -> QPointF:
+    """Return where in a widget the mouse is."""
+    return event.position() if hasattr(event, "position") else QPointF(event.pos())

@@ -1,0 +1,48 @@
+"""What the plugin adds to the window of QGIS."""
+
+from __future__ import annotations
+
+from qgis.gui import QgisInterface
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtWidgets import QAction
+
+from .dock import PlanningDock
+from .icons import icon
+from .texts import tr
+
+_MENU = "MUYSC"
+
+
+class Desktop:
+    """The toolbar button, the menu entry and the dock that they open."""
+
+    def __init__(self, iface: QgisInterface) -> None:
+        self._iface = iface
+        self.dock: PlanningDock | None = None
+        self.action = QAction(icon("dock"), tr("Plan a muon telescope"), iface.mainWindow())
+        self.action.setObjectName("MuyscPlan")
+        self.action.setCheckable(True)
+        self.action.toggled.connect(self.show_dock)
+        iface.addToolBarIcon(self.action)
+        iface.addPluginToMenu(_MENU, self.action)
+
+    def show_dock(self, shown: bool) -> None:
+        """Open or close the dock, which is made when it is first needed."""
+        if self.dock is None:
+            if not shown:
+                return
+            self.dock = PlanningDock(self._iface, self._iface.mainWindow())
+            self.dock.openedStateChanged.connect(self.action.setChecked)
+            self._iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.dock)
+        self.dock.setUserVisible(shown)
+
+    def remove(self) -> None:
+        """Take everything out of the window again."""
+        self._iface.removePluginMenu(_MENU, self.action)
+        self._iface.removeToolBarIcon(self.action)
+        if self.dock is not None:
+            self.dock.release()
+            self._iface.removeDockWidget(self.dock)
+            self.dock.deleteLater()
+            self.dock = None
+        self.action.deleteLater()

@@ -1,0 +1,154 @@
+"""The dock: settings, muogram, candidate sites, and the way to Processing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from qgis.gui import QgisInterface, QgsCollapsibleGroupBox, QgsDockWidget, QgsMapTool
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QMenu,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from . import commands
+from .icons import icon
+from .muogram_pane import MuogramPane
+from .plan import Plan
+from .planner import Planner
+from .settings_form import SettingsForm
+from .sites_pane import SitesPane
+from .texts import tr
+
+#: How long (s) a message stays.
+_SECONDS = 5
+
+
+class PlanningDock(QgsDockWidget):
+    """Plans a telescope on the map."""
+
+    def __init__(self, iface: QgisInterface, parent: QWidget | None = None) -> None:
+        super().__init__(tr("Muon radiography"), parent)
+        self.setObjectName("MuyscPlanning")
+        self._iface = iface
+        self._canvas = iface.mapCanvas()
+        self.planner = Planner(self._canvas, self)
+        self.form = SettingsForm()
+        self.muogram = MuogramPane(self.planner)
+        self.sites = SitesPane(self.planner, self._canvas)
+        self.run = self._run_button()
+        self.copy = QPushButton(tr("Copy as command"))
+        self.copy.setIcon(icon("copy"))
+        self.copy.setToolTip(tr("A qgis_process line that computes the same in a terminal"))
+        self.copy.clicked.connect(self.copy_command)
+        self.setWidget(self._content())
+        self._connect()
+        self.planner.load()
+
+    def release(self) -> None:
+        """Leave nothing behind, on the map or in the background."""
+        self._canvas.mapToolSet.disconnect(self._show_tool)
+        self.muogram.release()
+        self.sites.release()
+        self.planner.close()
+
+    # The way to Processing.
+
+    def run_radiography(self) -> None:
+        """Open the dialog of the algorithm radiography with the plan filled in."""
+        plan = self.planner.plan
+        commands.open_dialog("muysc:radiography", plan.radiography(plan.dem))
+
+    def run_expected_counts(self) -> None:
+        """Open the dialog of the algorithm expectedcounts with the plan filled in."""
+        plan = self.planner.plan
+        commands.open_dialog("muysc:expectedcounts", plan.expected_counts(plan.dem))
+
+    def copy_command(self) -> None:
+        """Put the line that computes the muogram on the clipboard."""
+        layer = self.planner.layer
+        if layer is None:
+            return
+        parameters = self.planner.plan.radiography(layer.source())
+        QApplication.clipboard().setText(commands.command_line("muysc:radiography", parameters))
+        self._iface.messageBar().pushMessage(
+            tr("Muon radiography"),
+            tr("The command is on the clipboard; its files appear in the folder where it is run."),
+            duration=_SECONDS,
+        )
+
+    # How it is put together.
+
+    def _content(self) -> QWidget:
+        actions = QHBoxLayout()
+        actions.addWidget(self.run)
+        actions.addWidget(self.copy)
+        places = QgsCollapsibleGroupBox(tr("Candidate sites"))
+        places.setCollapsed(True)
+        QVBoxLayout(places).addWidget(self.sites)
+        content = QWidget()
+        layout = QVBoxLayout(content)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.addWidget(self.form)
+        layout.addWidget(self.muogram, 1)
+        layout.addLayout(actions)
+        layout.addWidget(places)
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setWidget(content)
+        return area
+
+    def _run_button(self) -> QToolButton:
+        menu = QMenu(self)
+        menu.addAction(tr("Muon radiography…"), self.run_radiography)
+        menu.addAction(tr("Expected counts in a telescope…"), self.run_expected_counts)
+        button = QToolButton()
+        button.setText(tr("Run…"))
+        button.setIcon(icon("run"))
+        button.setToolTip(tr("Open the Processing dialog with these values"))
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        button.setMenu(menu)
+        return button
+
+    def _connect(self) -> None:
+        self.form.edited.connect(self.planner.edit)
+        self.planner.plan_changed.connect(self._show_plan)
+        for role, button in self._pick_buttons().items():
+            button.clicked.connect(self._picker(role))
+        self._canvas.mapToolSet.connect(self._show_tool)
+        self.openedStateChanged.connect(self.planner.set_shown)
+
+    def _pick_buttons(self) -> dict[str, QToolButton]:
+        return {"detector": self.form.pick_detector, "target": self.form.pick_target}
+
+    def _picker(self, role: str) -> Callable[[bool], None]:
+        tool = self.planner.tools[role]
+
+        def pick(checked: bool) -> None:
+            if checked:
+                self._canvas.setMapTool(tool)
+            else:
+                self._canvas.unsetMapTool(tool)
+
+        return pick
+
+    def _show_tool(self, tool: QgsMapTool | None, *_: Any) -> None:
+        for role, button in self._pick_buttons().items():
+            button.setChecked(tool is self.planner.tools[role])
+
+    def _show_plan(self, plan: Plan) -> None:
+        self.form.show_plan(plan)
+        self.copy.setEnabled(bool(plan.dem and plan.detector and plan.target))

@@ -1,0 +1,325 @@
+"""A muogram painted with axes, skyline, target and colour scale, on any Qt painter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from qgis.PyQt.QtCore import QLineF, QPointF, QRectF, Qt
+from qgis.PyQt.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QImage,
+    QPainter,
+    QPalette,
+    QPen,
+    QPolygonF,
+)
+
+from ..muogram import Muogram
+from ..plots import ticks
+from ..plots.colours import has_colour
+from ..plots.directions import pixel_edges
+from ..plots.limits import colour_limits
+from ..plots.style import SKY
+from ..quantities import Quantity
+from .colours import UNKNOWN, image_of, picture_of, shades, share_along
+from .texts import tr
+
+#: Sizes as multiples of the height of a line of text.
+_GAP, _TICK, _BAR = 0.3, 0.25, 0.7
+
+#: Most that the picture is stretched upwards for a wide field of view, and squeezed.
+STRETCH = (0.7, 2.0)
+
+#: Points of the target's star: outer and inner radius in lines of text.
+_STAR = (0.6, 0.25)
+
+#: Side of the frame around a pixel at least (dots).
+_SMALLEST_MARK = 7.0
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What there is to paint."""
+
+    muogram: Muogram
+    #: (n_elevation, n_azimuth), true where the ray meets no rock.
+    sky: np.ndarray
+    #: Azimuth and elevation of the target.
+    target_deg: tuple[float, float]
+    image: QImage
+
+    @classmethod
+    def of(cls, muogram: Muogram, opacity: Muogram) -> Scene:
+        """Return the scene of a muogram; the opacity tells rock from sky."""
+        sky = np.asarray(opacity.values == 0)
+        target = muogram.number("BORESIGHT_AZIMUTH"), muogram.number("BORESIGHT_ELEVATION")
+        return cls(muogram, sky, target, picture_of(muogram.values, muogram.kind, sky))
+
+    @property
+    def limits_deg(self) -> tuple[float, float, float, float]:
+        """Azimuth at the left and right edge, elevation at the lower and upper."""
+        azimuth = pixel_edges(self.muogram.azimuth_deg)
+        elevation = pixel_edges(self.muogram.elevation_deg)
+        return float(azimuth[0]), float(azimuth[-1]), float(elevation[-1]), float(elevation[0])
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where the parts of a picture stand."""
+
+    #: The pixels.
+    frame: QRectF
+    #: The colour scale.
+    bar: QRectF
+    #: Azimuth at the left and right edge, elevation at the lower and upper.
+    limits_deg: tuple[float, float, float, float]
+
+    @classmethod
+    def within(cls, room: QRectF, scene: Scene, font: QFont) -> Layout:
+        """Return the layout that fills a room, as far as the angles allow."""
+        metrics = QFontMetricsF(font)
+        line = metrics.height()
+        left, right, low, high = scene.limits_deg
+        widest = max(metrics.horizontalAdvance(text) for text in ("−88", "888"))
+        # The name of the elevation stands upright beside its labels.
+        frame = room.adjusted(
+            widest + line * (1 + _TICK + 2 * _GAP), line * (1 + _GAP),
+            -metrics.horizontalAdvance("88"), -line * (5 + _BAR + 3 * _TICK + 2 * _GAP),
+        )  # fmt: skip
+        true_height = frame.width() * (high - low) / (right - left)
+        height = min(frame.height(), STRETCH[1] * true_height)
+        if height < STRETCH[0] * true_height:
+            width = height / STRETCH[0] / true_height * frame.width()
+            frame.setLeft(frame.left() + (frame.width() - width) / 2)
+            frame.setWidth(width)
+        frame.setHeight(max(height, 1.0))
+        below = frame.bottom() + line * (2 + _TICK + 2 * _GAP)
+        return cls(frame, QRectF(frame.left(), below, frame.width(), line * _BAR), scene.limits_deg)
+
+    def point(self, azimuth_deg: float, elevation_deg: float) -> QPointF:
+        """Return where a direction stands."""
+        left, right, low, high = self.limits_deg
+        return QPointF(
+            self.frame.left() + (azimuth_deg - left) / (right - left) * self.frame.width(),
+            self.frame.bottom() - (elevation_deg - low) / (high - low) * self.frame.height(),
+        )
+
+    def pixel(self, point: QPointF, shape: tuple[int, ...]) -> tuple[int, int] | None:
+        """Return row and column of the pixel at a point, None beside the picture."""
+        across = (point.x() - self.frame.left()) / self.frame.width()
+        down = (point.y() - self.frame.top()) / self.frame.height()
+        if not (0 <= across < 1 and 0 <= down < 1):
+            return None
+        return int(down * shape[0]), int(across * shape[1])
+
+
+def paint(
+    painter: QPainter,
+    room: QRectF,
+    scene: Scene,
+    palette: QPalette,
+    marked: tuple[int, int] | None = None,
+) -> Layout:
+    """Paint a muogram into a room; return where its parts stand.
+
+    Parameters
+    ----------
+    painter, room, scene
+        With what, where and what.
+    palette
+        Colours of everything that is no data.
+    marked
+        Row and column of a pixel to point out.
+    """
+    layout = Layout.within(room, scene, painter.font())
+    ink = palette.color(QPalette.ColorRole.WindowText)
+    painter.drawImage(layout.frame, scene.image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    _paint_lines(painter, layout, scene)
+    painter.setPen(QPen(ink, 1.0))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawRect(layout.frame)
+    _paint_azimuths(painter, layout)
+    _paint_elevations(painter, layout)
+    _paint_scale(painter, layout, scene)
+    painter.save()
+    painter.setClipRect(layout.frame)
+    _paint_target(painter, layout.point(*scene.target_deg))
+    if marked is not None:
+        _paint_mark(painter, layout, scene, marked)
+    painter.restore()
+    return layout
+
+
+def skyline(sky: np.ndarray, known: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the sides of pixels between known rock and known sky.
+
+    Returns
+    -------
+    tuple
+        (n, 2) row and column of pixels whose upper side, and of those whose left side,
+        parts rock from sky.
+    """
+    upright = (sky[1:] != sky[:-1]) & known[1:] & known[:-1]
+    across = (sky[:, 1:] != sky[:, :-1]) & known[:, 1:] & known[:, :-1]
+    return np.add(np.argwhere(upright), (1, 0)), np.add(np.argwhere(across), (0, 1))
+
+
+def _paint_lines(painter: QPainter, layout: Layout, scene: Scene) -> None:
+    """Paint the skyline, and the horizon."""
+    frame, (rows, columns) = layout.frame, scene.sky.shape
+    width, height = frame.width() / columns, frame.height() / rows
+    below, beside = skyline(scene.sky, np.isfinite(scene.muogram.values) | scene.sky)
+    lines = []
+    for row, column in below.tolist():
+        start = QPointF(frame.left() + column * width, frame.top() + row * height)
+        lines.append(QLineF(start, start + QPointF(width, 0.0)))
+    for row, column in beside.tolist():
+        start = QPointF(frame.left() + column * width, frame.top() + row * height)
+        lines.append(QLineF(start, start + QPointF(0.0, height)))
+    painter.setPen(QPen(QColor("black"), 1.2))
+    painter.drawLines(lines)
+    left, right, low, high = layout.limits_deg
+    if low < 0 < high:
+        painter.setPen(QPen(QColor(128, 128, 128), 1.0, Qt.PenStyle.DashLine))
+        painter.drawLine(QLineF(layout.point(left, 0.0), layout.point(right, 0.0)))
+
+
+def _paint_azimuths(painter: QPainter, layout: Layout) -> None:
+    metrics = QFontMetricsF(painter.font())
+    line = metrics.height()
+    left, right, low, high = layout.limits_deg
+    frame = layout.frame
+    room = metrics.horizontalAdvance("888°") * 1.4
+    for azimuth in ticks.angle_ticks(left, right, max(2, int(frame.width() / room))):
+        foot = layout.point(azimuth, low)
+        painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
+        _centred(painter, ticks.azimuth_label(azimuth), foot.x(), foot.y() + line * _TICK)
+    _centred(
+        painter, tr("Azimuth from north (°)"), frame.center().x(),
+        frame.bottom() + line * (1 + _TICK),
+    )  # fmt: skip
+    letters = ticks.compass_points(left, right)
+    room = metrics.horizontalAdvance("WNW") * 1.3
+    if len(letters) * room > frame.width():
+        letters = [(azimuth, name) for azimuth, name in letters if len(name) < 3]
+    for azimuth, name in letters:
+        _centred(painter, name, layout.point(azimuth, high).x(), frame.top() - line)
+
+
+def _paint_elevations(painter: QPainter, layout: Layout) -> None:
+    metrics = QFontMetricsF(painter.font())
+    line = metrics.height()
+    left, _, low, high = layout.limits_deg
+    frame = layout.frame
+    widest = 0.0
+    for elevation in ticks.angle_ticks(low, high, max(2, int(frame.height() / (1.7 * line)))):
+        foot = layout.point(left, elevation)
+        painter.drawLine(QLineF(foot, foot - QPointF(line * _TICK, 0.0)))
+        label = ticks.number_label(elevation)
+        width = metrics.horizontalAdvance(label)
+        widest = max(widest, width)
+        painter.drawText(
+            QPointF(
+                foot.x() - line * (_TICK + _GAP / 2) - width,
+                foot.y() + (metrics.ascent() - metrics.descent()) / 2,
+            ),
+            label,
+        )
+    painter.save()
+    painter.translate(frame.left() - line * (1 + _TICK + _GAP) - widest, frame.center().y())
+    painter.rotate(-90)
+    _centred(painter, tr("Elevation (°)"), 0.0, 0.0)
+    painter.restore()
+
+
+def _paint_scale(painter: QPainter, layout: Layout, scene: Scene) -> None:
+    """Paint the colour scale with its ticks below the picture."""
+    metrics = QFontMetricsF(painter.font())
+    line, bar, quantity = metrics.height(), layout.bar, scene.muogram.kind
+    low, high = limits = colour_limits(scene.muogram.values, quantity)
+    painter.drawImage(bar, image_of(shades(quantity)[None]))
+    painter.drawRect(bar)
+    if quantity.logarithmic:
+        positions = ticks.logarithmic_ticks(low, high)
+    else:
+        positions = ticks.multiples(low, high, ticks.round_step(high - low, 5))
+    labels = [ticks.number_label(position) for position in positions]
+    room = max(map(metrics.horizontalAdvance, labels), default=0.0) * 1.3
+    every = max(1, int(np.ceil(len(labels) * room / bar.width())))
+    for at, label in [*zip(share_along(positions, quantity, limits).tolist(), labels)][::every]:
+        foot = QPointF(bar.left() + at * bar.width(), bar.bottom())
+        painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
+        _centred(painter, label, foot.x(), foot.y() + line * _TICK)
+    name = quantity_label(quantity)
+    _centred(painter, name, bar.center().x(), bar.bottom() + line * (1 + _TICK))
+    _paint_key(painter, QPointF(bar.center().x(), bar.bottom() + line * (2 + 2 * _TICK)), scene)
+
+
+def _paint_key(painter: QPainter, middle: QPointF, scene: Scene) -> None:
+    """Paint what colours beside the scale mean, as far as they occur."""
+    values = scene.muogram.values
+    coloured = has_colour(values, scene.muogram.kind, scene.sky)
+    entries = [
+        (colour, text)
+        for colour, text, present in (
+            (SKY, tr("open sky"), np.any(scene.sky & ~coloured)),
+            (UNKNOWN, tr("unknown"), np.any(~scene.sky & ~coloured)),
+        )
+        if present
+    ]
+    metrics = QFontMetricsF(painter.font())
+    line = metrics.height()
+    widths = [line * 1.2 + metrics.horizontalAdvance(text) for _, text in entries]
+    x = middle.x() - (sum(widths) + line * (len(widths) - 1)) / 2
+    for (colour, text), width in zip(entries, widths):
+        swatch = QRectF(x, middle.y() + line * 0.15, line * 0.7, line * 0.7)
+        painter.fillRect(swatch, QColor(colour))
+        painter.drawRect(swatch)
+        painter.drawText(QPointF(x + line, middle.y() + metrics.ascent()), text)
+        x += width + line
+
+
+def quantity_label(quantity: Quantity) -> str:
+    """Return title and unit in the language of QGIS."""
+    title = tr(quantity.title)
+    return title if quantity.unit == "1" else f"{title} ({quantity.unit})"
+
+
+def _centred(painter: QPainter, text: str, middle: float, top: float) -> None:
+    """Write a line of text below a point."""
+    metrics = QFontMetricsF(painter.font())
+    left = middle - metrics.horizontalAdvance(text) / 2
+    painter.drawText(QPointF(left, top + metrics.ascent()), text)
+
+
+def _paint_target(painter: QPainter, middle: QPointF) -> None:
+    """Paint a star, as panels do."""
+    line = QFontMetricsF(painter.font()).height()
+    corners = []
+    for corner in range(10):
+        angle = np.pi * corner / 5
+        radius = line * _STAR[corner % 2]
+        corners.append(middle + QPointF(radius * np.sin(angle), -radius * np.cos(angle)))
+    painter.setPen(QPen(QColor("black"), 1.0))
+    painter.setBrush(QColor("white"))
+    painter.drawPolygon(QPolygonF(corners))
+
+
+def _paint_mark(painter: QPainter, layout: Layout, scene: Scene, pixel: tuple[int, int]) -> None:
+    """Frame a pixel, large enough to be seen."""
+    rows, columns = scene.sky.shape
+    width, height = layout.frame.width() / columns, layout.frame.height() / rows
+    row, column = pixel
+    mark = QRectF(
+        layout.frame.left() + column * width, layout.frame.top() + row * height, width, height
+    )
+    margin = max(2.0, (_SMALLEST_MARK - width) / 2)
+    mark.adjust(-margin, -margin, margin, margin)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for colour, thickness in (("black", 3.0), ("white", 1.4)):
+        painter.setPen(QPen(QColor(colour), thickness))
+        painter.drawRect(mark)

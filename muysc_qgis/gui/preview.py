@@ -1,0 +1,185 @@
+"""The live muogram: computed in a thread, so that the map never waits for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from threading import Event
+from typing import Any
+
+from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsMessageLog
+from qgis.PyQt.QtCore import QObject, Qt, pyqtSignal
+
+from ...processing_algorithms.base import missing_library
+from ...processing_algorithms.radiography import Inputs
+from ..errors import Cancelled, MuyscError
+from ..muogram import Muogram
+from ..progress import Progress
+from ..workflows.planning import counts_in
+from ..workflows.simulation import Simulation
+from .texts import tr
+
+#: Pixels along each side while something is dragged.
+COARSE_PIXELS = 40
+
+#: The quantities that the dock shows, in the order of its list.
+SHOWN = ("thickness", "flux", "transmission", "exposure", "counts")
+
+
+@dataclass(frozen=True)
+class Preview:
+    """A muogram, and what it was computed from."""
+
+    inputs: Inputs
+    #: Coordinate reference system of the DEM.
+    crs: QgsCoordinateReferenceSystem
+    simulation: Simulation
+    #: Muons in the days of the plan.
+    counts: Muogram
+    coarse: bool
+
+    def muogram(self, quantity: str) -> Muogram:
+        """Return one of the quantities `SHOWN`, or any other of the simulation."""
+        return self.counts if quantity == "counts" else self.simulation.muograms[quantity]
+
+
+@dataclass(frozen=True)
+class Request:
+    """A muogram to compute."""
+
+    inputs: Inputs
+    crs: QgsCoordinateReferenceSystem
+    days: float
+    #: Whether a rough picture will do, because the next request is near.
+    coarse: bool = False
+
+    def compute(self, progress: Progress) -> Preview:
+        """Simulate the radiography.
+
+        Raises
+        ------
+        MuyscError
+            If something cannot be computed.
+        Cancelled
+            If `progress` asks for a stop.
+        """
+        inputs = self.inputs
+        if self.coarse:
+            aperture = replace(
+                inputs.aperture, azimuth_pixels=COARSE_PIXELS, elevation_pixels=COARSE_PIXELS
+            )
+            inputs = replace(inputs, aperture=aperture)
+        simulation = inputs.simulate(progress)
+        counts = counts_in(self.days, simulation, inputs.telescope)
+        return Preview(inputs, self.crs, simulation, counts, self.coarse)
+
+
+def sentence_for(error: Exception) -> str:
+    """Return what to tell the user of an error; what should not happen is logged too."""
+    if isinstance(error, MuyscError):
+        return str(error)
+    if isinstance(error, ImportError):
+        return missing_library(error)
+    QgsMessageLog.logMessage(repr(error), "MUYSC", Qgis.MessageLevel.Critical)
+    return tr("The muogram cannot be computed ({error}); choose other values.").format(error=error)
+
+
+class _Job:
+    """One computation, which may be stopped from another thread."""
+
+    def __init__(self, compute: Callable[[Progress], Any], coarse: bool) -> None:
+        self._compute = compute
+        self.coarse = coarse
+        self._stop = Event()
+        self.result: Any = None
+        self.problem = ""
+
+    def cancel(self) -> None:
+        self._stop.set()
+
+    @property
+    def cancelled(self) -> bool:
+        return self._stop.is_set()
+
+    def run(self) -> None:
+        if self.cancelled:
+            return
+        try:
+            self.result = self._compute(lambda fraction: not self.cancelled)
+        except Cancelled:
+            pass
+        except Exception as error:
+            self.problem = sentence_for(error)
+
+
+class Background(QObject):
+    """Runs one computation at a time, and the newest of those that wait.
+
+    A newer one stops the one that runs; but of coarse ones each is let finish, or
+    nothing would be seen as long as the mouse moves.
+    """
+
+    #: The result of a computation that nothing newer has overtaken.
+    computed = pyqtSignal(object)
+    #: A sentence.
+    failed = pyqtSignal(str)
+    _ended = pyqtSignal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._thread = ThreadPoolExecutor(max_workers=1)
+        self._running: _Job | None = None
+        self._waiting: _Job | None = None
+        self._ended.connect(self._take_up, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is being computed."""
+        return self._running is not None
+
+    def submit(self, compute: Callable[[Progress], Any], coarse: bool = False) -> None:
+        """Compute something; `compute` is called in the thread."""
+        job = _Job(compute, coarse)
+        if self._running is None:
+            self._start(job)
+            return
+        if not (coarse and self._running.coarse):
+            self._running.cancel()
+        self._waiting = job
+
+    def cancel(self) -> None:
+        """Stop what runs and forget what waits."""
+        self._waiting = None
+        if self._running is not None:
+            self._running.cancel()
+
+    def close(self) -> None:
+        """Stop for good; nothing is told afterwards."""
+        self.cancel()
+        self._ended.disconnect(self._take_up)
+        self._thread.shutdown(wait=True)
+
+    def _start(self, job: _Job) -> None:
+        self._running = job
+
+        def run() -> None:
+            job.run()
+            self._ended.emit(job)
+
+        self._thread.submit(run)
+
+    def _take_up(self, job: _Job) -> None:
+        """Tell a result in the thread of the windows, and start what waits."""
+        self._running = None
+        overtaken = job.cancelled
+        if self._waiting is not None:
+            job_waiting, self._waiting = self._waiting, None
+            overtaken |= not job_waiting.coarse
+            self._start(job_waiting)
+        if overtaken:
+            return
+        if job.problem:
+            self.failed.emit(job.problem)
+        else:
+            self.computed.emit(job.result)
