@@ -20,7 +20,8 @@ ROOMS = {
     "muysc_qgis/topography": {"numpy", "scipy", "osgeo", "pyproj"},
     "muysc_qgis/plots": {"numpy", "scipy", "osgeo", "pyproj", "matplotlib", "jinja2"},
     "muysc_qgis/plugin.py": {"qgis"},
-    "muysc_qgis/gui": {"numpy", "qgis", "matplotlib"},
+    # The package processing is a part of QGIS.
+    "muysc_qgis/gui": {"numpy", "qgis", "processing", "matplotlib"},
     "muysc_qgis": {"numpy", "scipy", "osgeo", "pyproj"},
     "processing_algorithms": {"numpy", "osgeo", "qgis"},
 }
