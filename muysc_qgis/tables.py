@@ -36,3 +36,18 @@ def _text(cell: object) -> str:
     if isinstance(cell, float):
         return "" if math.isnan(cell) else f"{cell:.8g}"
     return str(cell)
+
+
+def write_column_types(path: str | Path, line: Sequence[object]) -> None:
+    """Write the types of a table's columns, as in one of its lines, for map software.
+
+    The file that GDAL reads beside a table, of the same name but for a suffix ``.csvt``:
+    without it every number of the table would be a text.
+
+    Raises
+    ------
+    MuyscError
+        If the file cannot be written.
+    """
+    kinds = {int: "Integer", float: "Real"}
+    write_table(path, [kinds.get(type(cell), "String") for cell in line], [])

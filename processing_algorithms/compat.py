@@ -14,6 +14,7 @@ from qgis.core import (
 ADVANCED = QgsProcessingParameterDefinition.Flag.FlagAdvanced
 VECTOR_POINT = QgsProcessing.SourceType.TypeVectorPoint
 VECTOR_LINE = QgsProcessing.SourceType.TypeVectorLine
+VECTOR = QgsProcessing.SourceType.TypeVector
 VECTOR_POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
 NUMERIC_FIELD = QgsProcessingParameterField.DataType.Numeric
 POINT = QgsWkbTypes.Type.Point

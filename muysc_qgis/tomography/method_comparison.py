@@ -22,17 +22,16 @@ from .system import System
 #: Every method by name, with its title.
 COMPARABLE = {**{name: method.title for name, method in METHODS.items()}, **PARALLEL_ONLY}
 
-#: Pixels along an edge, projections, and noise over the largest projection that can be asked for.
-SIZES, ANGLES, NOISES = (16, 1024), (2, 2000), (0.0, 1.0)
+#: Pixels along an edge, projections, and noise in percent that can be asked for.
+SIZES, ANGLES, NOISES = (16, 1024), (2, 2000), (0.0, 100.0)
 
 #: Pixel edges that a ray crosses per unit of length, |cos θ| + |sin θ| on average over all
 #: directions, and the bytes that each crossing takes in the path matrix.
 _CROSSINGS, _BYTES = 4 / np.pi, 8
 
-#: The Bayesian method must know errors and a range. Where the data have no noise it is told the
-#: error that the pixels' edges make, over the largest projection; the range is the width of the
-#: head's smallest ellipses, over the edge.
-_LEAST_ERROR, _RANGE = 0.005, 0.023
+#: What the Bayesian method must know besides, in pixels: the standard deviation of what the
+#: pixels' edges make of the projections (0.33 to 0.43 from 32² to 256²), and the prior's range.
+_EDGE_ERROR, _RANGE = 0.4, 4.0
 
 #: Columns of the table of a comparison.
 COLUMNS = (
@@ -67,8 +66,8 @@ class Comparison:
     #: Wall time of building the path matrix; 0 where no method needs it.
     matrix_seconds: float
     angles: int
-    #: Standard deviation of the data's errors over their largest value.
-    noise: float
+    #: Standard deviation of the data's errors in percent of their largest value.
+    noise_percent: float
 
     @property
     def best(self) -> MethodResult:
@@ -79,6 +78,17 @@ class Comparison:
     def grey_error(self) -> float:
         """Relative error of one grey level, which a method must beat to have seen anything."""
         return relative_error(np.full(self.truth.shape, self.truth.mean()), self.truth)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a reader must know before drawing conclusions, a sentence each."""
+        blind = [one.method for one in self.results if one.relative_error >= self.grey_error]
+        if not blind:
+            return ()
+        return (
+            f"No better than one grey level: {', '.join(blind)}; more iterations or another "
+            "regularisation may help.",
+        )
 
 
 def rows(comparison: Comparison) -> list[tuple[object, ...]]:
@@ -94,7 +104,9 @@ def rows(comparison: Comparison) -> list[tuple[object, ...]]:
     ]  # fmt: skip
 
 
-def check_setting(size: int, angles: int, methods: Sequence[str], noise: float = 0.0) -> None:
+def check_setting(
+    size: int, angles: int, methods: Sequence[str], noise_percent: float = 0.0
+) -> None:
     """Refuse what cannot be compared, before anything is computed.
 
     Raises
@@ -115,7 +127,7 @@ def check_setting(size: int, angles: int, methods: Sequence[str], noise: float =
     for what, value, (low, high) in (
         ("image's edge in pixels", size, SIZES),
         ("number of projections", angles, ANGLES),
-        ("noise", noise, NOISES),
+        ("noise in percent", noise_percent, NOISES),
     ):
         if not low <= value <= high:
             raise MuyscError(f"The {what} is {value:g}; give one from {low:g} to {high:g}.")
@@ -134,7 +146,7 @@ def compare_methods(
     angles: int,
     methods: Sequence[str] = tuple(COMPARABLE),
     options: Options | None = None,
-    noise: float = 0.0,
+    noise_percent: float = 0.0,
     progress: Progress = silent,
 ) -> Comparison:
     """Reconstruct the head from its exact projections by several methods.
@@ -147,8 +159,8 @@ def compare_methods(
         Keys of `COMPARABLE`.
     options
         What to change of the methods' defaults.
-    noise
-        Standard deviation of the data's errors over their largest value; 0 for none.
+    noise_percent
+        Standard deviation of the data's errors in percent of their largest value; 0 for none.
     progress
         Told the share done.
 
@@ -159,12 +171,13 @@ def compare_methods(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    check_setting(size, angles, methods, noise)
+    check_setting(size, angles, methods, noise_percent)
     options = options or Options()
     # Loaded before the first method is timed.
     scipy_part("fft")
     beam = ParallelBeam.around(size, angles)
     truth = ellipse_image(SHEPP_LOGAN, size)
+    noise = noise_percent / 100
     data = _projections(beam, noise, options.seed)
     system, matrix_seconds, ready = None, 0.0, 0.0
     if any(name in METHODS for name in methods):
@@ -182,14 +195,14 @@ def compare_methods(
             image, iterations, misfit = DIRECT[name](beam, data), 1, np.empty(0)
         else:
             assert system is not None  # noqa: S101 - made above for every such method
-            one, changed = _prepared(name, system, options, noise, size)
+            one, changed = _prepared(name, system, options, noise)
             result = reconstruct(name, one, changed, share)
             image, iterations = result.values.reshape(size, size), result.iterations_done
             misfit = result.misfit * _misfit_scale(one)
         seconds = time.perf_counter() - start
         error = relative_error(image, truth)
         results.append(MethodResult(name, seconds, error, iterations, image, misfit))
-    return Comparison(truth, tuple(results), matrix_seconds, angles, noise)
+    return Comparison(truth, tuple(results), matrix_seconds, angles, noise_percent)
 
 
 def _projections(beam: ParallelBeam, noise: float, seed: int) -> np.ndarray:
@@ -209,16 +222,14 @@ def _system(beam: ParallelBeam, data: np.ndarray, progress: Progress) -> System:
     return System(StoredPaths(matrix), data.ravel(), beam.lattice(), paths.rays.view)
 
 
-def _prepared(
-    name: str, system: System, options: Options, noise: float, size: int
-) -> tuple[System, Options]:
+def _prepared(name: str, system: System, options: Options, noise: float) -> tuple[System, Options]:
     """Return system and options with what the Bayesian method needs besides."""
     if name != "bayes":
         return system, options
-    error = max(noise, _LEAST_ERROR) * float(system.data.max())
+    error = np.hypot(noise * float(system.data.max()), _EDGE_ERROR)
     return (
         replace(system, errors=np.full(len(system.data), error)),
-        replace(options, correlation_length_m=_RANGE * size),
+        replace(options, correlation_length_m=_RANGE),
     )
 
 
@@ -226,4 +237,5 @@ def _misfit_scale(system: System) -> float:
     """Return what takes a misfit to that over the root mean square of the data."""
     if system.errors is None:
         return 1.0
-    return float(system.errors[0] / np.sqrt(np.mean(np.square(system.data))))
+    # Rays that miss the image count in neither.
+    return float(system.errors[0] / np.sqrt(np.mean(np.square(system.usable().data))))

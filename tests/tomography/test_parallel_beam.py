@@ -5,8 +5,14 @@ import pytest
 
 from muysc_qgis.errors import Cancelled, MuyscError
 from muysc_qgis.tomography.figures_of_merit import relative_error
-from muysc_qgis.tomography.method_comparison import COMPARABLE, compare_methods
-from muysc_qgis.tomography.parallel_beam import ParallelBeam, fbp, gridrec
+from muysc_qgis.tomography.method_comparison import (
+    COLUMNS,
+    COMPARABLE,
+    check_setting,
+    compare_methods,
+    rows,
+)
+from muysc_qgis.tomography.parallel_beam import DIRECT, ParallelBeam, fbp, gridrec
 from muysc_qgis.tomography.phantoms import (
     SHEPP_LOGAN,
     Ellipse,
@@ -80,16 +86,38 @@ def test_projections_must_fit_the_beam():
 def test_every_method_is_compared():
     """On noise-free data each is better than one grey level, the direct ones too."""
     comparison = compare_methods(48, 60, options=Options(regularization=0.01))
-    grey = relative_error(np.full((48, 48), comparison.truth.mean()), comparison.truth)
+    grey = comparison.grey_error
+    assert grey == pytest.approx(comparison.truth.std() / np.sqrt(np.mean(comparison.truth**2)))
     assert [result.method for result in comparison.results] == list(COMPARABLE)
     for result in comparison.results:
         assert result.relative_error < 0.55 * grey, result.method
         assert result.seconds > 0
+        # Each comes nearer to the projections than the grey level it starts from.
+        assert result.method in DIRECT or result.misfit[-1] < 0.5 * result.misfit[0]
     assert comparison.matrix_seconds > 0
+    errors = [line[COLUMNS.index("relative_error")] for line in rows(comparison)]
+    assert min(errors) == comparison.best.relative_error
+    starts = [result.misfit[0] for result in comparison.results if len(result.misfit)]
+    assert starts == pytest.approx([starts[0]] * len(starts))
+
+
+def test_filtered_projections_come_nearer_the_more_projections_there_are():
+    errors = [
+        relative_error(fbp(beam, projections_of(SHEPP_LOGAN, beam)), ellipse_image(SHEPP_LOGAN, 64))
+        for beam in (ParallelBeam.around(64, angles) for angles in (12, 24, 48, 96))
+    ]
+    assert errors == sorted(errors, reverse=True)
+    assert errors[-1] < 0.3 * errors[0]
 
 
 def test_a_comparison_refuses_what_it_cannot_compare_and_can_be_stopped():
-    with pytest.raises(MuyscError, match="“bayes” cannot be compared"):
-        compare_methods(16, 8, ["bayes"])
+    with pytest.raises(MuyscError, match="“fdk” cannot be compared; choose among art, bart"):
+        compare_methods(16, 8, ["fbp", "fdk"])
+    with pytest.raises(MuyscError, match="no method to compare"):
+        compare_methods(16, 8, [])
+    with pytest.raises(MuyscError, match="use at most 613 pixels"):
+        check_setting(700, 1120, ["sirt"])
+    # What needs no paths needs no memory for them.
+    check_setting(700, 1120, ["fbp"])
     with pytest.raises(Cancelled):
         compare_methods(16, 8, ["fbp"], progress=lambda fraction: False)
