@@ -20,6 +20,7 @@ ALGORITHMS = (
     ("telescope", "Telescope"),
     ("expectedcounts", "ExpectedCounts"),
     ("radiographyatsites", "RadiographyAtSites"),
+    ("reconstructionbenchmark", "ReconstructionBenchmark"),
 )
 
 
@@ -44,6 +45,10 @@ class MuyscProvider(QgsProcessingProvider):
     def supportedOutputRasterLayerExtensions(self) -> list[str]:
         # Muograms describe themselves in tags that few other formats keep.
         return ["tif"]
+
+    def defaultVectorFileExtension(self, has_geometry: bool = True) -> str:
+        # Tables are text with units in the header.
+        return super().defaultVectorFileExtension(has_geometry) if has_geometry else "csv"
 
     def loadAlgorithms(self) -> None:
         for module, name in ALGORITHMS:
