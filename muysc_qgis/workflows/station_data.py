@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ..errors import MuyscError
-from ..progress import Progress, silent
+from ..progress import Progress, part, silent
 from ..radiography.raytracing import Outcome, RockPaths
 from ..topography.dem import Dem
 from ..topography.frame import from_wgs84, local_frame
@@ -43,8 +43,8 @@ class StationData:
     max_range_m: float | None = None
     #: What it looks at: WGS 84 longitude and latitude, and height (m).
     target: tuple[float, float, float] | None = None
-    #: Pixels without an opacity, by cause.
-    lost: Mapping[str, int] = field(default_factory=dict)
+    #: Which rays have no opacity, (n,) of bool by cause.
+    lost: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         arrays = (self.azimuth_deg, self.elevation_deg, self.opacity, self.error)
@@ -102,6 +102,17 @@ def rock_seen(station: StationData, dem: Dem, progress: Progress = silent) -> Ro
         )  # fmt: skip
         which = (np.arange(len(station)), np.zeros(len(station), int))
     return _taken(rock, which)
+
+
+def rock_of_all(
+    stations: Sequence[StationData], dem: Dem, progress: Progress = silent
+) -> list[RockSeen]:
+    """Trace the rays of several stations; see `rock_seen`."""
+    ends = np.linspace(0.0, 1.0, len(stations) + 1)
+    return [
+        rock_seen(station, dem, part(progress, start, end))
+        for station, start, end in zip(stations, ends[:-1], ends[1:])
+    ]
 
 
 def _taken(rock: RockPaths, which: tuple[np.ndarray, ...]) -> RockSeen:

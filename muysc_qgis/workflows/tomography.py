@@ -7,7 +7,7 @@ may be simulated.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -17,14 +17,14 @@ from ..errors import MuyscError
 from ..progress import Progress, part, report, silent
 from ..tomography.operators import Projector, projector_of
 from ..tomography.projector import MEMORY_LIMIT, Paths, check_memory
-from ..tomography.solvers import Options, Reconstruction, method_of, reconstruct
+from ..tomography.solvers import Options, method_of, reconstruct
 from ..tomography.system import GRAMS_PER_CM2, System
 from ..tomography.voxels import VoxelGrid
 from ..topography.dem import Dem
 from ..topography.frame import from_wgs84
-from ..volume import Volume
 from .sightlines import Sightlines, lay_sightlines
-from .station_data import StationData, rock_seen
+from .station_data import RockSeen, StationData, rock_of_all
+from .tomography_result import Tomography, result_of
 from .volume_frame import VolumeFrame, projection_for
 from .volume_plan import VolumePlan, volume_grid
 
@@ -36,8 +36,14 @@ if TYPE_CHECKING:
 _NUMBERS_PER_VOXEL = {"bayes": 100}
 _FEW_NUMBERS_PER_VOXEL = 40
 
+#: Why a ray through the volume does not count.
+NO_VALUE = "the muogram has no value"
+NO_ERROR = "the error is not known"
+
 #: Shares of the progress bar.
-_TRACED, _LAID, _BUILT = 0.15, 0.3, 0.5
+_LAID = 0.3
+#: Of it, and of the rest.
+_TRACED, _BUILT = 0.5, 0.3
 
 
 @dataclass(frozen=True)
@@ -83,76 +89,13 @@ class TomographyChoices:
             )
 
 
-@dataclass(frozen=True)
-class Place:
-    """A point on the map."""
-
-    name: str
-    #: In the CRS of the volume.
-    x: float
-    y: float
-    #: Height, m.
-    z: float
-
-
-@dataclass(frozen=True)
-class StationResidual:
-    """What a reconstruction leaves unexplained of one station."""
-
-    name: str
-    rays: int
-    #: Of data minus model, in opacity, g/cm².
-    mean: float
-    rms: float
-    #: RMS over the RMS of the opacity inside the volume.
-    relative: float
-    #: Mean square of residuals over their errors; NaN where errors are unknown.
-    chi_squared: float
-
-
-@dataclass(frozen=True)
-class Tomography:
-    """Densities of a volume, how they were reached, and what to say about them."""
-
-    #: Density (g/cm³), rays per voxel, and posterior standard deviation where the method has one;
-    #: NaN in air and, but for the rays, where no ray passes.
-    density: Volume
-    coverage: Volume
-    deviation: Volume | None
-    reconstruction: Reconstruction
-    method: str
-    reference_density: float
-    stations: tuple[Place, ...]
-    target: Place | None
-    residuals: tuple[StationResidual, ...]
-    #: ‖data − model‖ over ‖data‖ of the opacities inside the volume.
-    relative_residual: float
-    rays: int
-    #: Voxels with rock, and those of them that no ray passes.
-    rock_voxels: int
-    unseen_voxels: int
-    #: Pixels that say nothing, by cause.
-    lost: Mapping[str, int]
-    #: One sentence each.
-    warnings: tuple[str, ...]
-
-    @property
-    def grid(self) -> VoxelGrid:
-        """The voxels in the CRS of the volume."""
-        return self.density.grid
-
-    @property
-    def seen_voxels(self) -> int:
-        """Number of voxels with a density."""
-        return self.rock_voxels - self.unseen_voxels
-
-
 def tomography(
     stations: Sequence[StationData],
     dem: Dem,
     plan: VolumePlan,
     choices: TomographyChoices,
     crs: CRS | None = None,
+    rock: Sequence[RockSeen] | None = None,
     progress: Progress = silent,
 ) -> Tomography:
     """Return the densities that explain what several stations saw.
@@ -167,6 +110,8 @@ def tomography(
         See there.
     crs
         Projected coordinate reference system; None for the DEM's own or the UTM zone.
+    rock
+        Where the rays of each station are in rock, if that is known already (`rock_seen`).
     progress
         Told the share done.
 
@@ -177,7 +122,7 @@ def tomography(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    lines = survey(stations, dem, plan, choices.mask, crs, part(progress, 0.0, _LAID))
+    lines = survey(stations, dem, plan, choices.mask, crs, rock, part(progress, 0.0, _LAID))
     return reconstruct_volume(lines, choices, part(progress, _LAID, 1.0))
 
 
@@ -187,30 +132,23 @@ def survey(
     plan: VolumePlan,
     mask: bool = True,
     crs: CRS | None = None,
+    rock: Sequence[RockSeen] | None = None,
     progress: Progress = silent,
 ) -> Sightlines:
     """Return the rays of stations through a volume, whatever they see; as in `tomography`."""
     if not stations:
         raise MuyscError("No muogram is given; choose those of one station or more.")
-    targets = [one.target[:2] for one in stations if one.target is not None]
-    around = targets or [(one.longitude, one.latitude) for one in stations]
-    longitude, latitude = around[0] if len(around) == 1 else np.mean(around, axis=0).tolist()
-    crs = crs or projection_for(dem, longitude, latitude)
-    rock = [
-        rock_seen(
-            station, dem,
-            part(progress, _TRACED / _LAID * n / len(stations),
-                 _TRACED / _LAID * (n + 1) / len(stations)),
-        )
-        for n, station in enumerate(stations)
-    ]  # fmt: skip
-    rough = VolumeFrame.around(crs, from_wgs84(crs, longitude, latitude))
+    if rock is None:
+        rock = rock_of_all(stations, dem, part(progress, 0.0, _TRACED))
+    around = [one.target[:2] for one in stations if one.target is not None]
+    around = around or [(one.longitude, one.latitude) for one in stations]
+    # The first: a mean longitude means nothing across the antimeridian.
+    crs = crs or projection_for(dem, *around[0])
+    rough = VolumeFrame.around(crs, from_wgs84(crs, *around[0]))
     grid = volume_grid(plan, rough, stations, rock, dem)
-    middle = tuple(0.5 * (low + high) for low, high in zip(grid.origin_m[:2], grid.end_m[:2]))
+    middle = [0.5 * (low + high) for low, high in zip(grid.origin_m, grid.end_m)]
     frame = VolumeFrame.around(crs, (middle[0], middle[1]))
-    return lay_sightlines(
-        stations, rock, grid, frame, dem, mask, part(progress, _TRACED / _LAID, 1.0)
-    )
+    return lay_sightlines(stations, rock, grid, frame, dem, mask, part(progress, _TRACED, 1.0))
 
 
 def reconstruct_volume(
@@ -248,7 +186,7 @@ def reconstruct_volume(
         part(progress, _BUILT, 1.0),
     )  # fmt: skip
     report(progress, 1.0)
-    return _result(lines, choices, system, found, reference, lost, (*warnings, *more))
+    return result_of(lines, choices.method, system, found, reference, lost, (*warnings, *more))
 
 
 def _check_voxels(grid: VoxelGrid, choices: TomographyChoices) -> None:
@@ -281,10 +219,17 @@ def _data(
             errors.append(choices.relative_error * station.opacity)
         else:
             errors.append(np.full(len(station), np.inf))
-        for cause, count in station.lost.items():
-            lost[cause] = lost.get(cause, 0) + count
     opacity = np.concatenate(opacities)[lines.pixel]
     error = np.concatenate(errors)[lines.pixel]
+    missing = np.isnan(opacity)
+    for cause in sorted({cause for station in lines.stations for cause in station.lost}):
+        because = np.concatenate(
+            [station.lost.get(cause, np.zeros(len(station), bool)) for station in lines.stations]
+        )[lines.pixel]
+        lost[cause] = int(np.count_nonzero(missing & because))
+        missing &= ~because
+    lost[NO_VALUE] = int(np.count_nonzero(missing))
+    lost[NO_ERROR] = int(np.count_nonzero(np.isfinite(opacity) & ~(error > 0)))
     if np.isfinite(error).any():
         density = choices.reference_density or 2.65
         error = np.hypot(error, GRAMS_PER_CM2 * density * choices.length_error_m)
@@ -339,90 +284,3 @@ def _warnings(lines: Sightlines, used: np.ndarray, choices: TomographyChoices) -
             f"rock of {taken}; choose a larger extent or a lower base."
         )
     return warnings
-
-
-def _result(
-    lines: Sightlines,
-    choices: TomographyChoices,
-    system: System,
-    found: Reconstruction,
-    reference: float,
-    lost: Mapping[str, int],
-    warnings: Sequence[str],
-) -> Tomography:
-    """Put everything back on the map."""
-    lattice = system.lattice
-    rays = system.paths.coverage()
-    seen = rays > 0
-    metadata: dict[str, str | float] = {
-        "METHOD": choices.method,
-        "ITERATIONS": found.iterations_done,
-        "REFERENCE_DENSITY": reference,
-        "STATIONS": float(len(lines.stations)),
-        "RAYS": float(len(system.data)),
-        "TERRAIN_MASK": "yes" if choices.mask else "no",
-    }
-    crs = lines.frame.crs.to_wkt()
-
-    def volume(quantity: str, values: np.ndarray) -> Volume:
-        return Volume(quantity, lines.grid, lattice.expand(values), crs, metadata)
-
-    residual = system.data - system.paths.forward(found.values)
-    return Tomography(
-        density=volume("density", np.where(seen, found.values, np.nan)),
-        coverage=volume("coverage", rays.astype(float)),
-        deviation=(
-            None
-            if found.deviation is None
-            else volume("density_error", np.where(seen, found.deviation, np.nan))
-        ),
-        reconstruction=found,
-        method=choices.method,
-        reference_density=reference,
-        stations=tuple(
-            Place(one.name, *lines.frame.place(one.longitude, one.latitude), one.elevation_m)
-            for one in lines.stations
-        ),
-        target=_target(lines),
-        residuals=tuple(_residuals(lines, system, residual)),
-        relative_residual=_rms(residual) / _rms(system.data),
-        rays=len(system.data),
-        rock_voxels=lattice.count,
-        unseen_voxels=int(np.count_nonzero(~seen)),
-        lost=lost,
-        warnings=tuple(warnings),
-    )
-
-
-def _target(lines: Sightlines) -> Place | None:
-    """Return the middle of what the stations look at."""
-    targets = [one.target for one in lines.stations if one.target is not None]
-    if not targets:
-        return None
-    longitude, latitude, height = np.mean(targets, axis=0).tolist()
-    return Place("target", *lines.frame.place(longitude, latitude), height)
-
-
-def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[StationResidual]:
-    rows = []
-    for number, station in enumerate(lines.stations):
-        which = np.flatnonzero(system.view == number)
-        left = residual[which]
-        chi_squared = np.nan
-        if system.errors is not None and which.size:
-            chi_squared = float(np.mean((left / system.errors[which]) ** 2))
-        rows.append(
-            StationResidual(
-                station.name,
-                len(which),
-                GRAMS_PER_CM2 * float(left.mean()) if which.size else np.nan,
-                GRAMS_PER_CM2 * _rms(left),
-                _rms(left) / _rms(system.data[which]) if which.size else np.nan,
-                chi_squared,
-            )
-        )
-    return rows
-
-
-def _rms(values: np.ndarray) -> float:
-    return float(np.sqrt(np.mean(np.square(values)))) if len(values) else np.nan

@@ -1,0 +1,318 @@
+"""What several muograms say about the opacity of a mountain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..errors import MuyscError
+from ..measurement.density import Flag
+from ..muogram import DOMAIN, Muogram
+from ..progress import Progress, part, report, silent
+from ..quantities import ERROR_SUFFIX
+from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
+from ..radiography.settings import Physics
+from ..topography.dem import Dem
+from ..views import View, like, metres_apart, require_same_directions
+from .measured import Measurement
+from .measured_density import FLAG_MEANINGS, DensityChoices, density_behind
+from .station_data import RockSeen, StationData, rock_of_all
+
+#: Quantities that an opacity follows from.
+DATA_QUANTITIES = ("density", "opacity", "flux", "transmission", "thickness")
+
+#: Detectors of a muogram and of its errors farther apart (m) than this are two.
+_SAME_PLACE_M = 1.0
+
+#: Thicknesses of muogram and DEM that differ by more than this share are not of one terrain.
+_SAME_TERRAIN = 0.05
+
+#: Flags of pixels whose flux says no opacity.
+_NO_OPACITY = (Flag.LOWER_LIMIT, Flag.BRIGHT, Flag.NO_ANSWER, Flag.TOO_THIN)
+
+_YES_OR_NO = {"yes": True, "no": False}
+
+
+@dataclass(frozen=True)
+class NamedView:
+    """A muogram or raster in telescope angles, and what messages call it."""
+
+    name: str
+    view: View
+
+
+@dataclass(frozen=True)
+class SurveyData:
+    """Stations with their opacities, and where their rays are in rock."""
+
+    stations: tuple[StationData, ...]
+    rock: tuple[RockSeen, ...]
+    quantity: str
+    #: One sentence each.
+    warnings: tuple[str, ...]
+
+
+def read_survey(
+    muograms: Sequence[NamedView],
+    errors: Sequence[NamedView],
+    dem: Dem,
+    density: float | None = None,
+    progress: Progress = silent,
+) -> SurveyData:
+    """Return opacities from muograms of one quantity.
+
+    Parameters
+    ----------
+    muograms
+        Of one of `DATA_QUANTITIES`.
+    errors
+        Standard errors of some of them: from the same detector in the same directions.
+    dem
+        Terrain, for the thickness that turns densities and fluxes into opacities.
+    density
+        g/cm³ that turns thicknesses into opacities where the file does not say it.
+    progress
+        Told the share done.
+
+    Raises
+    ------
+    MuyscError
+        If the muograms do not go together or lack what is needed.
+    Cancelled
+        If the receiver of the progress asks for a stop.
+    """
+    quantity = _one_quantity(muograms)
+    matched = _matched(muograms, errors, quantity)
+    bare = [_station(one) for one in muograms]
+    rock = rock_of_all(bare, dem, part(progress, 0.0, 0.6))
+    stations, warnings = [], list(_general_warnings(muograms, errors, quantity))
+    for number, (one, station, seen) in enumerate(zip(muograms, bare, rock)):
+        filled, more = _filled(one, matched[number], station, seen, density)
+        stations.append(filled)
+        warnings += more
+        report(progress, 0.6 + 0.4 * (number + 1) / len(muograms))
+    return SurveyData(tuple(stations), tuple(rock), quantity, tuple(warnings))
+
+
+def physics_of(one: NamedView) -> Physics:
+    """Return the physics that a muogram was made with.
+
+    Raises
+    ------
+    MuyscError
+        If its metadata do not say it.
+    """
+    told = one.view.metadata
+    words = {
+        key: _entry(one, key)
+        for key in ("MATERIAL", "FLUX_MODEL", "GAISSER_PARAMETERS", "ENERGY_LOSS",
+                    "STRAGGLING", "ALTITUDE_CORRECTION")
+    }  # fmt: skip
+    for key in ("STRAGGLING", "ALTITUDE_CORRECTION"):
+        if words[key] not in _YES_OR_NO:
+            raise MuyscError(
+                f"The metadata key {key} of {one.name} is “{words[key]}”; set it to yes or no."
+            )
+    return Physics(
+        material=words["MATERIAL"],
+        density_g_cm3=_number(one, "DENSITY") if "DENSITY" in told else None,
+        flux_model=words["FLUX_MODEL"],
+        gaisser_parameters=words["GAISSER_PARAMETERS"],
+        energy_loss=words["ENERGY_LOSS"],
+        straggling=_YES_OR_NO[words["STRAGGLING"]],
+        altitude_correction=_YES_OR_NO[words["ALTITUDE_CORRECTION"]],
+        detection_threshold_gev=_number(one, "DETECTION_THRESHOLD"),
+    )
+
+
+def _one_quantity(muograms: Sequence[NamedView]) -> str:
+    """Return the quantity of all muograms."""
+    if not muograms:
+        raise MuyscError("No muogram is given; choose those of one station or more.")
+    found: dict[str, str] = {}
+    for one in muograms:
+        found.setdefault(one.view.quantity, one.name)
+    if len(found) > 1:
+        told = " and ".join(f"{quantity} ({name})" for quantity, name in found.items())
+        raise MuyscError(
+            f"The muograms hold different quantities: {told}; choose muograms of one quantity."
+        )
+    quantity = next(iter(found))
+    if quantity not in DATA_QUANTITIES:
+        raise MuyscError(
+            f"The muograms hold {quantity}, and opacity follows from {', '.join(DATA_QUANTITIES)}; "
+            "choose muograms of one of these."
+        )
+    return quantity
+
+
+def _matched(
+    muograms: Sequence[NamedView], errors: Sequence[NamedView], quantity: str
+) -> list[NamedView | None]:
+    """Return the errors of each muogram, from the same place in the same directions."""
+    result: list[NamedView | None] = [None] * len(muograms)
+    for error in errors:
+        if error.view.quantity != quantity + ERROR_SUFFIX:
+            raise MuyscError(
+                f"{error.name} holds {error.view.quantity}, and the errors of muograms of "
+                f"{quantity} are {quantity + ERROR_SUFFIX}; choose such rasters."
+            )
+        fits = [
+            number
+            for number, one in enumerate(muograms)
+            if result[number] is None and _belong_together(one, error)
+        ]
+        if not fits:
+            raise MuyscError(
+                f"The errors {error.name} belong to none of the muograms: none has its detector "
+                "and directions; leave them out or choose their muogram too."
+            )
+        result[fits[0]] = error
+    if errors and None in result:
+        name = muograms[result.index(None)].name
+        raise MuyscError(
+            f"{name} has no errors, which {len(errors)} of {len(muograms)} muograms have; choose "
+            "the errors of all, or of none."
+        )
+    return result
+
+
+def _belong_together(one: NamedView, error: NamedView) -> bool:
+    if not metres_apart(one.view, error.view) < _SAME_PLACE_M:
+        return False
+    try:
+        require_same_directions(error.view, "errors", one.view, one.view.quantity)
+    except MuyscError:
+        return False
+    return True
+
+
+def _general_warnings(
+    muograms: Sequence[NamedView], errors: Sequence[NamedView], quantity: str
+) -> tuple[str, ...]:
+    if quantity == "thickness":
+        return (
+            "The muograms hold thickness, not what muons measured: the densities will show where "
+            "the terrain is, of one density everywhere.",
+        )
+    if quantity == "density" and not errors and any("FLAGS" in one.view.metadata
+                                                    for one in muograms):  # fmt: skip
+        return (
+            "The densities were measured and may be lower limits where no muon was counted; give "
+            "their errors too, so that such pixels are left out.",
+        )
+    return ()
+
+
+def _station(one: NamedView) -> StationData:
+    """Return place and directions of a muogram."""
+    view = one.view
+    if isinstance(view, Muogram):
+        azimuth, elevation = np.meshgrid(view.azimuth_deg, view.elevation_deg)
+    else:
+        azimuth, elevation = view.directions_deg()
+    target = None
+    if {"TARGET_LON", "TARGET_LAT", "TARGET_ELEVATION"} <= set(view.metadata):
+        target = (
+            _number(one, "TARGET_LON"), _number(one, "TARGET_LAT"),
+            _number(one, "TARGET_ELEVATION"),
+        )  # fmt: skip
+    return StationData(
+        one.name,
+        _number(one, "DETECTOR_LON"),
+        _number(one, "DETECTOR_LAT"),
+        _number(one, "DETECTOR_ELEVATION"),
+        azimuth.ravel(),
+        elevation.ravel(),
+        near_field_m=_number(one, "NEAR_FIELD") if "NEAR_FIELD" in view.metadata else 0.0,
+        max_range_m=_number(one, "MAX_RANGE") if "MAX_RANGE" in view.metadata else None,
+        target=target,
+    )
+
+
+def _filled(
+    one: NamedView, errors: NamedView | None, station: StationData, seen: RockSeen,
+    density: float | None,
+) -> tuple[StationData, list[str]]:  # fmt: skip
+    """Return a station with its opacities, and what to say about them."""
+    view, thickness = one.view, seen.thickness_m
+    values = view.values.ravel()
+    spread = None if errors is None else errors.view.values.ravel()
+    per_unit: np.ndarray | float = 1.0
+    lost: Mapping[str, np.ndarray] = {}
+    warnings: list[str] = []
+    if view.quantity == "thickness":
+        if "DENSITY" in view.metadata:
+            density = _number(one, "DENSITY")
+        if density is None:
+            raise MuyscError(
+                f"{one.name} holds thickness and lacks the metadata key DENSITY (domain {DOMAIN}), "
+                "so that its opacity is not known; give a reference density or set the key."
+            )
+        per_unit = density * G_CM2_PER_M_WATER_EQUIVALENT
+        warnings = _other_terrain(one, values, thickness)
+    elif view.quantity in ("flux", "transmission"):
+        values, spread, lost = _inverted(one, errors, thickness)
+        per_unit = thickness * G_CM2_PER_M_WATER_EQUIVALENT
+    elif view.quantity == "density":
+        per_unit = thickness * G_CM2_PER_M_WATER_EQUIVALENT
+    # In the sky, a density is not known and an opacity is.
+    opacity = np.where(thickness == 0, 0.0, values * per_unit)
+    error = None if spread is None else spread * per_unit
+    return replace(station, opacity=opacity, error=error, lost=lost), warnings
+
+
+def _inverted(
+    one: NamedView, errors: NamedView | None, thickness_m: np.ndarray
+) -> tuple[np.ndarray, np.ndarray | None, Mapping[str, np.ndarray]]:
+    """Return densities from flux or transmission, their errors, and why there is none."""
+    view = one.view
+    rock = like(view, "thickness", thickness_m.reshape(view.values.shape), view.metadata)
+    found = density_behind(
+        Measurement(view, None if errors is None else errors.view),
+        rock,
+        physics_of(one),
+        DensityChoices(),
+        _number(one, "DETECTOR_ELEVATION"),
+    ).densities
+    flags = found.flags.ravel()
+    known = flags == Flag.MEASURED
+    density = np.where(known, found.density.ravel(), np.nan)
+    error = None if errors is None else np.where(known, found.error.ravel(), np.nan)
+    return density, error, {FLAG_MEANINGS[flag]: flags == flag for flag in _NO_OPACITY}
+
+
+def _other_terrain(one: NamedView, values: np.ndarray, thickness: np.ndarray) -> list[str]:
+    """Return a warning where muogram and DEM do not show the same mountain."""
+    both = (values > 0) & (thickness > 0)
+    if not both.any():
+        return []
+    apart = float(np.median(np.abs(values[both] / thickness[both] - 1)))
+    if apart < _SAME_TERRAIN:
+        return []
+    return [
+        f"{one.name}: its thickness and that through the elevation model differ by "
+        f"{100 * apart:.2g} % (median); check that both are of one terrain."
+    ]
+
+
+def _entry(one: NamedView, key: str) -> str:
+    if key not in one.view.metadata:
+        raise MuyscError(
+            f"{one.name} lacks the metadata key {key} (domain {DOMAIN}), which a muogram of "
+            f"{one.view.quantity} needs here; make it with a MUYSC algorithm or set the key."
+        )
+    return str(one.view.metadata[key])
+
+
+def _number(one: NamedView, key: str) -> float:
+    text = _entry(one, key)
+    try:
+        return float(text)
+    except ValueError:
+        raise MuyscError(
+            f"The metadata key {key} of {one.name} is “{text}”, which is not a number; set it to "
+            "one."
+        ) from None

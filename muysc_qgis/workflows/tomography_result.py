@@ -1,0 +1,165 @@
+"""Densities of a volume, how well they explain the data, and what to say about them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..tomography.solvers import Reconstruction
+from ..tomography.system import GRAMS_PER_CM2, System
+from ..tomography.voxels import VoxelGrid
+from ..volume import Volume
+from .sightlines import Sightlines
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point on the map."""
+
+    name: str
+    #: In the CRS of the volume.
+    x: float
+    y: float
+    #: Height, m.
+    z: float
+
+
+@dataclass(frozen=True)
+class StationResidual:
+    """What a reconstruction leaves unexplained of one station."""
+
+    name: str
+    rays: int
+    #: Of data minus model, in opacity, g/cm².
+    mean: float
+    rms: float
+    #: RMS over the RMS of the opacity inside the volume.
+    relative: float
+    #: Mean square of residuals over their errors; NaN where errors are unknown.
+    chi_squared: float
+
+
+@dataclass(frozen=True)
+class Tomography:
+    """Densities of a volume, how they were reached, and what to say about them."""
+
+    #: Density (g/cm³), rays per voxel, and posterior standard deviation where the method has one;
+    #: NaN in air and, but for the rays, where no ray passes.
+    density: Volume
+    coverage: Volume
+    deviation: Volume | None
+    reconstruction: Reconstruction
+    method: str
+    reference_density: float
+    stations: tuple[Place, ...]
+    target: Place | None
+    residuals: tuple[StationResidual, ...]
+    #: ‖data − model‖ over ‖data‖ of the opacities inside the volume.
+    relative_residual: float
+    rays: int
+    #: Voxels with rock, and those of them that no ray passes.
+    rock_voxels: int
+    unseen_voxels: int
+    #: Pixels that say nothing, by cause.
+    lost: Mapping[str, int]
+    #: One sentence each.
+    warnings: tuple[str, ...]
+
+    @property
+    def grid(self) -> VoxelGrid:
+        """The voxels in the CRS of the volume."""
+        return self.density.grid
+
+    @property
+    def seen_voxels(self) -> int:
+        """Number of voxels with a density."""
+        return self.rock_voxels - self.unseen_voxels
+
+
+def result_of(
+    lines: Sightlines,
+    method: str,
+    system: System,
+    found: Reconstruction,
+    reference: float,
+    lost: Mapping[str, int],
+    warnings: Sequence[str],
+) -> Tomography:
+    """Put everything back on the map."""
+    lattice = system.lattice
+    rays = system.paths.coverage()
+    seen = rays > 0
+    metadata: dict[str, str | float] = {
+        "METHOD": method,
+        "ITERATIONS": found.iterations_done,
+        "REFERENCE_DENSITY": reference,
+        "STATIONS": float(len(lines.stations)),
+        "RAYS": float(len(system.data)),
+        "TERRAIN_MASK": "no" if lines.paths.column is None else "yes",
+    }
+    crs = lines.frame.crs.to_wkt()
+
+    def volume(quantity: str, values: np.ndarray) -> Volume:
+        return Volume(quantity, lines.grid, lattice.expand(values), crs, metadata)
+
+    residual = system.data - system.paths.forward(found.values)
+    return Tomography(
+        density=volume("density", np.where(seen, found.values, np.nan)),
+        coverage=volume("coverage", rays.astype(float)),
+        deviation=(
+            None
+            if found.deviation is None
+            else volume("density_error", np.where(seen, found.deviation, np.nan))
+        ),
+        reconstruction=found,
+        method=method,
+        reference_density=reference,
+        stations=tuple(
+            Place(one.name, *lines.frame.place(one.longitude, one.latitude), one.elevation_m)
+            for one in lines.stations
+        ),
+        target=_target(lines),
+        residuals=tuple(_residuals(lines, system, residual)),
+        relative_residual=_rms(residual) / _rms(system.data),
+        rays=len(system.data),
+        rock_voxels=lattice.count,
+        unseen_voxels=int(np.count_nonzero(~seen)),
+        lost=lost,
+        warnings=tuple(warnings),
+    )
+
+
+def _target(lines: Sightlines) -> Place | None:
+    """Return the middle of what the stations look at."""
+    targets = [one.target for one in lines.stations if one.target is not None]
+    if not targets:
+        return None
+    longitude, latitude, height = np.mean(targets, axis=0).tolist()
+    return Place("target", *lines.frame.place(longitude, latitude), height)
+
+
+def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[StationResidual]:
+    rows = []
+    for number, station in enumerate(lines.stations):
+        which = np.flatnonzero(system.view == number)
+        left = residual[which]
+        chi_squared = np.nan
+        if system.errors is not None and which.size:
+            chi_squared = float(np.mean((left / system.errors[which]) ** 2))
+        rows.append(
+            StationResidual(
+                station.name,
+                len(which),
+                GRAMS_PER_CM2 * float(left.mean()) if which.size else np.nan,
+                GRAMS_PER_CM2 * _rms(left),
+                _rms(left) / _rms(system.data[which]) if which.size else np.nan,
+                chi_squared,
+            )
+        )
+    return rows
+
+
+def _rms(values: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(np.square(values)))) if len(values) else np.nan
