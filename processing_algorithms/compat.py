@@ -12,12 +12,14 @@ from qgis.core import (
 )
 
 ADVANCED = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+RASTERS = QgsProcessing.SourceType.TypeRaster
 VECTOR_POINT = QgsProcessing.SourceType.TypeVectorPoint
 VECTOR_LINE = QgsProcessing.SourceType.TypeVectorLine
 VECTOR = QgsProcessing.SourceType.TypeVector
 VECTOR_POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
 NUMERIC_FIELD = QgsProcessingParameterField.DataType.Numeric
 POINT = QgsWkbTypes.Type.Point
+POINT_Z = QgsWkbTypes.Type.PointZ
 POLYGON = QgsWkbTypes.Type.Polygon
 
 if Qgis.QGIS_VERSION_INT >= 33800:

@@ -14,12 +14,14 @@ ALGORITHMS = (
     ("radiography", "Radiography"),
     ("muonflux", "MuonFlux"),
     ("drape", "Drape"),
+    ("downloadsrtm", "DownloadSrtm"),
     ("fluxspectrum", "FluxSpectrum"),
     ("importmuogram", "ImportMuogram"),
     ("density", "Density"),
     ("telescope", "Telescope"),
     ("expectedcounts", "ExpectedCounts"),
     ("radiographyatsites", "RadiographyAtSites"),
+    ("tomography", "TomographyAlgorithm"),
     ("reconstructionbenchmark", "ReconstructionBenchmark"),
 )
 

@@ -85,7 +85,7 @@ def read_survey(
     """
     quantity = _one_quantity(muograms)
     matched = _matched(muograms, errors, quantity)
-    bare = [_station(one) for one in muograms]
+    bare = bare_stations(muograms)
     rock = rock_of_all(bare, dem, part(progress, 0.0, 0.6))
     stations, warnings = [], list(_general_warnings(muograms, errors, quantity))
     for number, (one, station, seen) in enumerate(zip(muograms, bare, rock)):
@@ -94,6 +94,11 @@ def read_survey(
         warnings += more
         report(progress, 0.6 + 0.4 * (number + 1) / len(muograms))
     return SurveyData(tuple(stations), tuple(rock), quantity, tuple(warnings))
+
+
+def bare_stations(muograms: Sequence[NamedView]) -> list[StationData]:
+    """Return places and directions of muograms, without opacities."""
+    return [_station(one) for one in muograms]
 
 
 def physics_of(one: NamedView) -> Physics:

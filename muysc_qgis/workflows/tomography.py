@@ -140,15 +140,32 @@ def survey(
         raise MuyscError("No muogram is given; choose those of one station or more.")
     if rock is None:
         rock = rock_of_all(stations, dem, part(progress, 0.0, _TRACED))
-    around = [one.target[:2] for one in stations if one.target is not None]
-    around = around or [(one.longitude, one.latitude) for one in stations]
-    # The first: a mean longitude means nothing across the antimeridian.
-    crs = crs or projection_for(dem, *around[0])
-    rough = VolumeFrame.around(crs, from_wgs84(crs, *around[0]))
+    crs = crs or projection_of(stations, dem)
+    rough = VolumeFrame.around(crs, from_wgs84(crs, *_somewhere(stations)))
     grid = volume_grid(plan, rough, stations, rock, dem)
     middle = [0.5 * (low + high) for low, high in zip(grid.origin_m, grid.end_m)]
     frame = VolumeFrame.around(crs, (middle[0], middle[1]))
     return lay_sightlines(stations, rock, grid, frame, dem, mask, part(progress, _TRACED, 1.0))
+
+
+def projection_of(stations: Sequence[StationData], dem: Dem) -> CRS:
+    """Return the DEM's own CRS where its lengths are true metres, else the UTM zone.
+
+    Raises
+    ------
+    MuyscError
+        If there is no station.
+    """
+    if not stations:
+        raise MuyscError("No muogram is given; choose those of one station or more.")
+    return projection_for(dem, *_somewhere(stations))
+
+
+def _somewhere(stations: Sequence[StationData]) -> tuple[float, float]:
+    """Return longitude and latitude of the first target, or of the first station."""
+    # A mean longitude would mean nothing across the antimeridian.
+    targets = (one.target[:2] for one in stations if one.target is not None)
+    return next(targets, (stations[0].longitude, stations[0].latitude))
 
 
 def reconstruct_volume(

@@ -13,6 +13,12 @@ from ..tomography.voxels import VoxelGrid
 from ..volume import Volume
 from .sightlines import Sightlines
 
+#: Share of the rays of the busiest slice that the target's own must have to be shown first.
+_SHOWN = 0.25
+
+#: Share of the voxels within a colour scale, and its least half width, g/cm³.
+_COLOURED, _LEAST_WIDTH = 0.98, 0.05
+
 
 @dataclass(frozen=True)
 class Place:
@@ -59,6 +65,8 @@ class Tomography:
     #: ‖data − model‖ over ‖data‖ of the opacities inside the volume.
     relative_residual: float
     rays: int
+    #: Mean square of residuals over their errors, NaN where errors are not known.
+    chi_squared: float
     #: Voxels with rock, and those of them that no ray passes.
     rock_voxels: int
     unseen_voxels: int
@@ -71,6 +79,31 @@ class Tomography:
     def grid(self) -> VoxelGrid:
         """The voxels in the CRS of the volume."""
         return self.density.grid
+
+    @property
+    def mean_density(self) -> float:
+        """Mean of the voxels with a density, g/cm³."""
+        return float(self.density.values[self.density.known].mean())
+
+    @property
+    def shown_level(self) -> int:
+        """Number of the slice to show first: the target's, else the one with most rays."""
+        rays = np.nansum(self.coverage.values, axis=(0, 1))
+        low, high = self.grid.origin_m[2], self.grid.end_m[2]
+        if self.target is not None and low <= self.target.z <= high:
+            level = self.grid.level_at(self.target.z)
+            if rays[level] >= _SHOWN * rays.max():
+                return level
+        return int(np.argmax(rays))
+
+    @property
+    def density_limits(self) -> tuple[float, float]:
+        """Least and largest density of a colour scale, the reference in its middle."""
+        values = self.density.values[self.density.known]
+        off = np.abs(values - self.reference_density)
+        width = float(np.quantile(off, _COLOURED)) if off.size else 0.0
+        width = max(width, _LEAST_WIDTH)
+        return self.reference_density - width, self.reference_density + width
 
     @property
     def seen_voxels(self) -> int:
@@ -124,6 +157,7 @@ def result_of(
         residuals=tuple(_residuals(lines, system, residual)),
         relative_residual=_rms(residual) / _rms(system.data),
         rays=len(system.data),
+        chi_squared=_chi_squared(system, residual, slice(None)),
         rock_voxels=lattice.count,
         unseen_voxels=int(np.count_nonzero(~seen)),
         lost=lost,
@@ -145,9 +179,6 @@ def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[
     for number, station in enumerate(lines.stations):
         which = np.flatnonzero(system.view == number)
         left = residual[which]
-        chi_squared = np.nan
-        if system.errors is not None and which.size:
-            chi_squared = float(np.mean((left / system.errors[which]) ** 2))
         rows.append(
             StationResidual(
                 station.name,
@@ -155,10 +186,16 @@ def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[
                 GRAMS_PER_CM2 * float(left.mean()) if which.size else np.nan,
                 GRAMS_PER_CM2 * _rms(left),
                 _rms(left) / _rms(system.data[which]) if which.size else np.nan,
-                chi_squared,
+                _chi_squared(system, residual, which) if which.size else np.nan,
             )
         )
     return rows
+
+
+def _chi_squared(system: System, residual: np.ndarray, which: np.ndarray | slice) -> float:
+    if system.errors is None:
+        return np.nan
+    return float(np.mean((residual[which] / system.errors[which]) ** 2))
 
 
 def _rms(values: np.ndarray) -> float:

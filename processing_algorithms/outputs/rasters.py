@@ -93,8 +93,8 @@ def destination(
         return None
     if Path(path).suffix.lower() not in (".tif", ".tiff"):
         raise MuyscError(
-            f"{name} goes to “{path}”, and only GeoTIFF can hold what a muogram says about "
-            "itself; give a file name that ends in .tif."
+            f"{name} goes to “{path}”, and only GeoTIFF holds everything that later steps need; "
+            "give a file name that ends in .tif."
         )
     return path
 
@@ -111,11 +111,15 @@ def stage_raster(
     context: QgsProcessingContext,
     values: np.ndarray,
     quantity: Quantity,
+    **look: Any,
 ) -> Path:
-    """Stage a raster's style and return the temporary path of the raster itself."""
+    """Stage a raster's style and return the temporary path of the raster itself.
+
+    `look` goes on to `write_style`.
+    """
     temporary = staging.add(path, inputs)
     style = str(Path(path).with_suffix(".qml"))
-    write_style(staging.add(style), values, quantity)
+    write_style(staging.add(style), values, quantity, **look)
     if context.willLoadLayerOnCompletion(path):
         context.layerToLoadOnCompletionDetails(path).setPostProcessor(StyleOnLoad(style))
     return temporary

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 
 import numpy as np
+from qgis import core
 from qgis.core import (
     Qgis,
     QgsCategorizedSymbolRenderer,
@@ -20,7 +21,7 @@ from qgis.core import (
     QgsSingleBandPseudoColorRenderer,
 )
 from qgis.PyQt.QtGui import QColor
-from qgis.PyQt.QtXml import QDomDocument
+from qgis.PyQt.QtXml import QDomDocument, QDomElement
 
 from ...muysc_qgis.plots.limits import colour_limits
 from ...muysc_qgis.quantities import COLOUR_STOPS, Quantity
@@ -32,8 +33,15 @@ SKY_COLOUR = "#dceaf7"
 _ZERO_IN_THE_SKY = ("thickness", "opacity")
 
 
-def write_style(path: Path, values: np.ndarray, quantity: Quantity) -> None:
-    """Write a QML style for a single-band raster.
+def write_style(
+    path: Path,
+    values: np.ndarray,
+    quantity: Quantity,
+    band: int = 1,
+    limits: tuple[float, float] | None = None,
+    elevations: np.ndarray | None = None,
+) -> None:
+    """Write a QML style for one band of a raster.
 
     Parameters
     ----------
@@ -44,16 +52,23 @@ def write_style(path: Path, values: np.ndarray, quantity: Quantity) -> None:
         The raster's values, any shape.
     quantity
         What they are.
+    band
+        Number of the band to show, from 1.
+    limits
+        Values at the ends of the colours; None for what suits the values.
+    elevations
+        (n_bands + 1,) bounds of the elevation slices that the bands are, m; QGIS can step
+        through them from 3.38 on. None where bands are no slices.
     """
     function = QgsColorRampShader()
     function.setColorRampType(QgsColorRampShader.Type.Interpolated)
-    items = _colour_items(values, quantity)
+    items = _colour_items(quantity, *(limits or colour_limits(values, quantity)))
     function.setColorRampItemList(items)
     function.setMinimumValue(items[0].value)
     function.setMaximumValue(items[-1].value)
     shader = QgsRasterShader()
     shader.setRasterShaderFunction(function)
-    renderer = QgsSingleBandPseudoColorRenderer(None, 1, shader)
+    renderer = QgsSingleBandPseudoColorRenderer(None, band, shader)
     renderer.setClassificationMin(items[0].value)
     renderer.setClassificationMax(items[-1].value)
     document = QDomDocument()
@@ -63,13 +78,31 @@ def write_style(path: Path, values: np.ndarray, quantity: Quantity) -> None:
     pipe = document.createElement("pipe")
     renderer.writeXml(document, pipe)
     root.appendChild(pipe)
+    if elevations is not None:
+        _append_elevations(root, document, elevations)
     document.appendChild(root)
     path.write_text(document.toString(2), encoding="utf-8")
 
 
-def _colour_items(values: np.ndarray, quantity: Quantity) -> list[QgsColorRampShader.ColorRampItem]:
+def _append_elevations(root: QDomElement, document: QDomDocument, elevations: np.ndarray) -> None:
+    """Say which slice of elevations each band is, where QGIS knows such bands."""
+    kind = getattr(core, "QgsRasterLayerElevationProperties", None)
+    if not hasattr(kind, "setFixedRangePerBand"):
+        return
+    properties = kind(None)
+    properties.setEnabled(True)
+    properties.setMode(Qgis.RasterElevationMode.FixedRangePerBand)
+    properties.setFixedRangePerBand({
+        band + 1: core.QgsDoubleRange(float(low), float(high), True, False)
+        for band, (low, high) in enumerate(zip(elevations[:-1], elevations[1:]))
+    })  # fmt: skip
+    properties.writeXml(root, document, core.QgsReadWriteContext())
+
+
+def _colour_items(
+    quantity: Quantity, low: float, high: float
+) -> list[QgsColorRampShader.ColorRampItem]:
     """Return values with colours and labels, evenly spaced on the quantity's scale."""
-    low, high = colour_limits(values, quantity)
     colours = COLOUR_STOPS[quantity.colours]
     if quantity.logarithmic:
         stops = np.geomspace(low, high, len(colours))

@@ -4,14 +4,20 @@ from __future__ import annotations
 
 from typing import Any
 
-from qgis.core import QgsProcessingAlgorithm, QgsProcessingContext
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterMultipleLayers,
+)
 
 from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.muogram import Muogram, read_muogram
 from ...muysc_qgis.trajectories import read_view
 from ...muysc_qgis.views import View
+from ..compat import RASTERS
 from .terrain import raster_layer
-from .values import given
+from .values import explained, given
 
 
 def read_muogram_layer(
@@ -62,3 +68,37 @@ def _path(
         # Opening it again will tell why QGIS could not.
         return value
     return raster_layer(algorithm, parameters, name, context).source()
+
+
+def muogram_layers(
+    name: str, label: str, text: str, optional: bool = False
+) -> QgsProcessingParameterDefinition:
+    """Declare several muograms."""
+    return explained(
+        QgsProcessingParameterMultipleLayers(name, label, RASTERS, None, optional), text
+    )
+
+
+def read_view_layers(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> list[tuple[View, str]]:
+    """Return several muograms or rasters in telescope angles with their files; none where empty.
+
+    Raises
+    ------
+    MuyscError
+        If a raster is neither.
+    """
+    if not given(parameters, name):
+        return []
+    value = parameters[name]
+    layers = algorithm.parameterAsLayerList(parameters, name, context)
+    paths = [layer.source() for layer in layers]
+    asked = value if isinstance(value, list) else [value]
+    if len(paths) < len(asked):
+        # Opening them again will tell why QGIS could not.
+        paths = [one if isinstance(one, str) else one.source() for one in asked]
+    return [(read_view(path), path) for path in paths]

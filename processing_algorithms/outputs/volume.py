@@ -1,0 +1,155 @@
+"""Volumes as outputs: rasters with a band for each slice, points, residuals and sections."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsFeatureSink,
+    QgsFields,
+    QgsGeometry,
+    QgsPoint,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterRasterDestination,
+)
+
+from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.staging import Staging
+from ...muysc_qgis.volume import VOLUME_QUANTITIES, Volume, write_volume
+from ...muysc_qgis.workflows.tomography_result import Tomography
+from ..compat import POINT_Z, VECTOR_POINT, field
+from ..parameters.values import explained
+from .rasters import destination, stage_raster
+from .tables import stage_table, table_destination, table_layer
+
+POINTS, RESIDUALS = "POINTS", "RESIDUALS"
+
+#: Output, quantity of the volume, its attribute of a `Tomography`, and what it is.
+_RASTERS = (
+    ("DENSITY", "density", "density", "Density of each voxel with rock that a ray passes."),
+    ("COVERAGE", "coverage", "coverage", "Number of rays through each voxel with rock."),
+    (
+        "DENSITY_ERROR", "density_error", "deviation",
+        "Standard error of each density, of the method bayes.",
+    ),
+)  # fmt: skip
+
+_ALWAYS = ("DENSITY", "COVERAGE")
+
+#: Columns of the table of residuals, with their units.
+_COLUMNS = (
+    "muogram", "rays", "mean residual (g/cm²)", "RMS residual (g/cm²)", "relative residual (%)",
+    "chi squared per ray",
+)  # fmt: skip
+
+
+def volume_outputs() -> list[QgsProcessingParameterDefinition]:
+    """Declare the rasters, the points and the table of residuals."""
+    return [
+        *(
+            explained(
+                QgsProcessingParameterRasterDestination(
+                    output, VOLUME_QUANTITIES[quantity].label, None, output not in _ALWAYS,
+                    output in _ALWAYS,
+                ),
+                f"{text} A GeoTIFF on the map with a band for each elevation slice, the lowest "
+                "first.",
+            )
+            for output, quantity, _, text in _RASTERS
+        ),
+        explained(
+            QgsProcessingParameterFeatureSink(
+                POINTS, "Voxels as points", VECTOR_POINT, None, True, False
+            ),
+            "Centre of each voxel with a density as a point with height, with density, rays and, "
+            "where there is one, the error: for 3-D views.",
+        ),
+        table_layer(
+            RESIDUALS, "Residuals",
+            "CSV: what the densities leave unexplained of each muogram.",
+        ),
+    ]  # fmt: skip
+
+
+def stage_volumes(
+    algorithm: QgsProcessingAlgorithm,
+    result: Tomography,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    staging: Staging,
+    inputs: tuple[str, ...],
+) -> dict[str, str]:
+    """Stage the rasters and the table that are wanted; return files by output name."""
+    results = {}
+    for output, _, attribute, _ in _RASTERS:
+        path = destination(algorithm, parameters, output, context)
+        if path is None:
+            continue
+        volume: Volume | None = getattr(result, attribute)
+        if volume is None:
+            raise MuyscError(
+                f"{output} is asked for, and {result.method} tells no errors of {result.rays} "
+                "rays; use bayes, with draws for the error (POSTERIOR_SAMPLES) beyond 2000 rays."
+            )
+        temporary = stage_raster(
+            staging, path, inputs, context, volume.values, volume.kind,
+            band=result.shown_level + 1,
+            limits=result.density_limits if output == "DENSITY" else None,
+            elevations=volume.grid.edges_m(2),
+        )  # fmt: skip
+        write_volume(volume, temporary)
+        results[output] = path
+    table = table_destination(algorithm, parameters, RESIDUALS, context)
+    if table is not None:
+        rows = [
+            (one.name, one.rays, one.mean, one.rms, 100 * one.relative, one.chi_squared)
+            for one in result.residuals
+        ]
+        stage_table(staging, table, _COLUMNS, rows)
+        results[RESIDUALS] = table
+    return results
+
+
+def write_points(
+    algorithm: QgsProcessingAlgorithm,
+    result: Tomography,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+) -> dict[str, str]:
+    """Write the voxels as points; called last, because a sink cannot be staged.
+
+    Raises
+    ------
+    MuyscError
+        If the sink cannot be made.
+    """
+    if parameters.get(POINTS) in (None, ""):
+        return {}
+    fields = QgsFields()
+    values = {"density": result.density.values, "rays": result.coverage.values}
+    if result.deviation is not None:
+        values["density_error"] = result.deviation.values
+    for name in values:
+        fields.append(field(name, int if name == "rays" else float))
+    crs = QgsCoordinateReferenceSystem.fromWkt(result.density.crs)
+    sink, identifier = algorithm.parameterAsSink(parameters, POINTS, context, fields, POINT_Z, crs)
+    if sink is None:
+        raise MuyscError(
+            f"{POINTS} cannot be written to “{parameters[POINTS]}”; choose another place."
+        )
+    known = result.density.known.ravel()
+    centres = result.grid.all_centres_m()[known]
+    columns = [array.ravel()[known] for array in values.values()]
+    kinds = [int if name == "rays" else float for name in values]
+    for place, *row in zip(centres.tolist(), *(np.asarray(column).tolist() for column in columns)):
+        feature = QgsFeature(fields)
+        feature.setGeometry(QgsGeometry(QgsPoint(*place)))
+        feature.setAttributes([kind(value) for kind, value in zip(kinds, row)])
+        sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
+    return {POINTS: identifier}

@@ -1,0 +1,159 @@
+"""Parameters of how densities are found from rays."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+)
+
+from ...muysc_qgis.tomography.solvers import METHODS, ORDERINGS, PARALLEL_ONLY, Options, method_of
+from ...muysc_qgis.workflows.tomography import TomographyChoices
+from .values import choice, given, number, read_choice, read_count, read_number, switch
+from .volume import read_memory
+
+
+def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare the method and its settings."""
+    methods = "; ".join(f"{name}: {method.title}" for name, method in METHODS.items())
+    return [
+        choice(
+            "METHOD", "Method",
+            f"How densities are found. {methods}. Those of the family art and sirt follow the "
+            "data alone; pml, tv, grad, tikhonov and lsmr prefer smooth models, tv with sharp "
+            "edges; bayes weighs data against a prior and tells its errors.",
+            list(METHODS), TomographyChoices().method,
+        ),
+        number(
+            "ITERATIONS", "Iterations (empty: the method's own)",
+            "Give the most iterations, 1 or more; a sweep over all rays is one. Methods that "
+            "reach the data's errors or converge end sooner.",
+            None, 1, whole=True,
+        ),
+        number(
+            "RELAXATION", "Relaxation (empty: the method's own)",
+            "Give the share of each correction that art, bart, sart and sirt apply, above 0 and "
+            "below 2.",
+            None, 0, 2,
+        ),
+        number(
+            "REGULARIZATION", "Regularisation (empty: the method's own)",
+            "Give the strength of the penalty on rough models of pml, ospml, tv, grad, tikhonov "
+            "and lsmr, 0 or more; at 1 a step between neighbours weighs as much as the misfit of a "
+            "voxel.",
+            None, 0,
+        ),
+        number(
+            "REFERENCE_DENSITY", "Reference density (g/cm³, empty: the muograms' mean)",
+            "Give the density in g/cm³, above 0 and up to 30, of the rock outside the volume, of "
+            "the start and of the prior.",
+            None, 0, 30,
+        ),
+        number(
+            "RELATIVE_ERROR", "Error of the opacities (%, empty: unknown)",
+            "Give the standard error of opacities in %, 0 or more, where there are no rasters of "
+            "errors. The method bayes needs one or the other.",
+            5.0, 0, 1000,
+        ),
+        number(
+            "LENGTH_ERROR", "Error of the path lengths (m)",
+            "Give the standard error of a ray's length in rock in m, 0 or more: what the "
+            "elevation model does not show. It adds to the other errors.",
+            2.0, 0, advanced=True,
+        ),
+        switch(
+            "NONNEGATIVE", "Keep densities above zero",
+            "Whether densities below zero are lifted to it; bayes does not.",
+            True, advanced=True,
+        ),
+        choice(
+            "ORDERING", "Order of the rays",
+            "interleaved: stations far apart take turns. sequential: as they come. random: drawn.",
+            list(ORDERINGS), "interleaved", advanced=True,
+        ),
+        number(
+            "SUBSETS", "Subsets (empty: the method's own)",
+            "Give the number of parts of bart, osem and ospml that the rays are dealt into, 1 or "
+            "more.",
+            None, 1, advanced=True, whole=True,
+        ),
+        number(
+            "DISCREPANCY", "Stop at this multiple of the errors",
+            "Give the misfit, in standard errors, at which the methods without a penalty stop, 0 "
+            "or more; 0 never stops.",
+            1.0, 0, advanced=True,
+        ),
+        number(
+            "EDGE_DENSITY", "Density step of the hybrid penalty (g/cm³)",
+            "Give the step between neighbours in g/cm³, above 0, from which the penalty of "
+            "pml-hybrid and ospml-hybrid grows no faster than the step.",
+            0.1, 0, advanced=True,
+        ),
+        number(
+            "PRIOR_DEVIATION", "Standard deviation of the prior (g/cm³)",
+            "Give how far densities are from the reference before any muon, in g/cm³, above 0; "
+            "for bayes.",
+            0.3, 0, advanced=True,
+        ),
+        number(
+            "CORRELATION_LENGTH", "Correlation length of the prior (m)",
+            "Give the distance in m, above 0, over which densities are alike; for bayes.",
+            200.0, 0, advanced=True,
+        ),
+        number(
+            "POSTERIOR_SAMPLES", "Draws for the error of the density",
+            "Give how often bayes solves for drawn data to find the error of the density, 0 or "
+            "more; 0 leaves it out where there are more than 2000 rays.",
+            0, 0, advanced=True, whole=True,
+        ),
+    ]  # fmt: skip
+
+
+def read_reconstruction(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+) -> TomographyChoices:
+    """Return how densities are to be found.
+
+    Raises
+    ------
+    MuyscError
+        If a value cannot be used.
+    """
+    read = (algorithm, parameters)
+
+    def number_of(name: str) -> float | None:
+        return read_number(*read, name, context)
+
+    def count_of(name: str) -> int | None:
+        return read_count(*read, name, context) if given(parameters, name) else None
+
+    if parameters.get("METHOD") in PARALLEL_ONLY:
+        method_of(parameters["METHOD"])  # says why not
+    error = number_of("RELATIVE_ERROR")
+    options = Options(
+        iterations=count_of("ITERATIONS"),
+        relaxation=number_of("RELAXATION"),
+        regularization=number_of("REGULARIZATION"),
+        ordering=read_choice(*read, "ORDERING", context),
+        subsets=count_of("SUBSETS"),
+        nonnegative=algorithm.parameterAsBool(parameters, "NONNEGATIVE", context),
+        discrepancy=number_of("DISCREPANCY") or 0.0,
+        edge_density=number_of("EDGE_DENSITY") or 0.0,
+        prior_deviation=number_of("PRIOR_DEVIATION") or 0.0,
+        correlation_length_m=number_of("CORRELATION_LENGTH") or 0.0,
+        posterior_samples=count_of("POSTERIOR_SAMPLES") or 0,
+    )
+    return TomographyChoices(
+        method=read_choice(*read, "METHOD", context),
+        options=options,
+        reference_density=number_of("REFERENCE_DENSITY"),
+        mask=algorithm.parameterAsBool(parameters, "TERRAIN_MASK", context),
+        relative_error=None if error is None else error / 100,
+        length_error_m=number_of("LENGTH_ERROR") or 0.0,
+        memory_bytes=read_memory(*read, context),
+    )
