@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import shlex
+import subprocess
+import sys
 from collections.abc import Mapping
 from typing import Any
 
@@ -35,4 +37,5 @@ def command_line(algorithm: str, parameters: Mapping[str, Any]) -> str:
     """
     values = {**parameters, **_OUTPUTS[algorithm]}
     options = [f"--{name}={value}" for name, value in values.items() if value is not None]
-    return shlex.join(["qgis_process", "run", algorithm, *options])
+    line = ["qgis_process", "run", algorithm, *options]
+    return subprocess.list2cmdline(line) if sys.platform == "win32" else shlex.join(line)

@@ -7,12 +7,11 @@ from dataclasses import dataclass, replace
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ..errors import MuyscError
 from ..progress import Progress
 from ..workflows.planning import SiteFigures, figures_of_site
 from .plan import Plan
 from .planner import request_for
-from .preview import Background, sentence_for
+from .preview import Background
 from .sites import Site
 
 
@@ -73,16 +72,9 @@ class Comparison(QObject):
         return answer.problem if answer else ""
 
     def _next(self) -> None:
-        """Start with the next site; those that cannot be read are answered at once."""
-        while self._open:
+        if self._open:
             plan = self._open[0]
-            try:
-                compute = _computation(plan)
-            except (MuyscError, ImportError) as error:
-                self._answer(_Answer(plan, None, sentence_for(error)))
-                continue
-            self._background.submit(compute)
-            return
+            self._background.submit(lambda: _computation(plan))
 
     def _take(self, answer: _Answer) -> None:
         self._answer(answer)

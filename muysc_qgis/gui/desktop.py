@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QAction
 
-from .dock import PlanningDock
 from .icons import icon
 from .texts import tr
+
+if TYPE_CHECKING:
+    from .dock import PlanningDock
 
 _MENU = "MUYSC"
 
@@ -31,6 +35,9 @@ class Desktop:
         if self.dock is None:
             if not shown:
                 return
+            # Loading it takes a while, which no start of QGIS has to wait for.
+            from .dock import PlanningDock
+
             self.dock = PlanningDock(self._iface, self._iface.mainWindow())
             self.dock.openedStateChanged.connect(self.action.setChecked)
             self._iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.dock)

@@ -80,11 +80,14 @@ class PlanningDock(QgsDockWidget):
             return
         parameters = self.planner.plan.radiography(layer.source())
         QApplication.clipboard().setText(commands.command_line("muysc:radiography", parameters))
-        self._iface.messageBar().pushMessage(
-            tr("Muon radiography"),
-            tr("The command is on the clipboard; its files appear in the folder where it is run."),
-            duration=_SECONDS,
-        )
+        told = tr("The command is on the clipboard; its files appear where it is run.")
+        own = layer.dataProvider().crs()
+        if layer.crs() != own:
+            told = tr(
+                "The command is on the clipboard; it reads the DEM in the system of its file, "
+                "{own}, in place of {given}: assign that to the file first."
+            ).format(own=own.authid() or own.description(), given=layer.crs().authid())
+        self._iface.messageBar().pushMessage(tr("Muon radiography"), told, duration=_SECONDS)
 
     # How it is put together.
 

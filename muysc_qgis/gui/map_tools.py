@@ -30,6 +30,11 @@ class PlaceTool(QgsMapTool):
         self._snap = QgsSnapIndicator(canvas)
         self.setCursor(Qt.CursorShape.CrossCursor)
 
+    def release(self) -> None:
+        """Leave nothing on the canvas."""
+        del self._snap
+        self.deleteLater()
+
     # What QGIS asks for.
 
     def canvasPressEvent(self, event: QgsMapMouseEvent) -> None:

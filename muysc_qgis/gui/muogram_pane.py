@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QTimer
+from qgis.gui import QgsCollapsibleGroupBox
+from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from ..quantities import QUANTITIES
@@ -15,6 +16,9 @@ from .preview import SHOWN, Preview
 from .readout import describe_pixel, describe_preview
 from .section_window import SectionWindow
 from .texts import tr
+
+#: Lines that a pixel takes in a narrow dock.
+_READOUT_LINES = 5
 
 
 class MuogramPane(QWidget):
@@ -32,10 +36,14 @@ class MuogramPane(QWidget):
         self.view = MuogramView()
         self.readout = QLabel()
         self.readout.setWordWrap(True)
-        # Three lines are kept free, so that the picture does not jump.
-        self.readout.setMinimumHeight(4 * self.fontMetrics().lineSpacing())
+        self.readout.setAlignment(Qt.AlignmentFlag.AlignTop)
+        # Room for all lines of a pixel, so that the picture does not jump.
+        self.readout.setMinimumHeight(_READOUT_LINES * self.fontMetrics().lineSpacing())
+        self.notes = QgsCollapsibleGroupBox()
+        self.notes.setCollapsed(True)
         self.warnings = QLabel()
         self.warnings.setWordWrap(True)
+        QVBoxLayout(self.notes).addWidget(self.warnings)
         self.section: SectionWindow | None = None
         top = QHBoxLayout()
         top.addWidget(self.quantity, 1)
@@ -46,7 +54,7 @@ class MuogramPane(QWidget):
         layout.addLayout(top)
         layout.addWidget(self.view, 1)
         layout.addWidget(self.readout)
-        layout.addWidget(self.warnings)
+        layout.addWidget(self.notes)
         # A mouse that crosses many pixels asks for the last one only.
         self._pause = QTimer(self)
         self._pause.setSingleShot(True)
@@ -85,7 +93,7 @@ class MuogramPane(QWidget):
         self._preview, self._pixel = None, None
         self.view.show_reason(reason)
         self.readout.clear()
-        self.warnings.clear()
+        self._show_notes(())
         for button in (self.copy, self.save):
             button.setEnabled(False)
 
@@ -99,7 +107,12 @@ class MuogramPane(QWidget):
         if self._preview is None:
             return
         self.readout.setText(describe_preview(self._preview))
-        self.warnings.setText("\n".join(self._preview.simulation.warnings))
+        self._show_notes(self._preview.simulation.warnings)
+
+    def _show_notes(self, notes: tuple[str, ...]) -> None:
+        self.notes.setVisible(bool(notes))
+        self.notes.setTitle(tr("Notes ({number})").format(number=len(notes)))
+        self.warnings.setText("\n".join(f"• {note}" for note in notes))
 
     def _hover(self, row: int, column: int) -> None:
         if self._preview is None:

@@ -193,7 +193,7 @@ def _paint_azimuths(painter: QPainter, layout: Layout) -> None:
     line = metrics.height()
     left, right, low, high = layout.limits_deg
     frame = layout.frame
-    room = metrics.horizontalAdvance("888°") * 1.4
+    room = metrics.horizontalAdvance("888°") * 1.25
     for azimuth in ticks.angle_ticks(left, right, max(2, int(frame.width() / room))):
         foot = layout.point(azimuth, low)
         painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
@@ -253,7 +253,9 @@ def _paint_scale(painter: QPainter, layout: Layout, scene: Scene) -> None:
     for at, label in [*zip(share_along(positions, quantity, limits).tolist(), labels)][::every]:
         foot = QPointF(bar.left() + at * bar.width(), bar.bottom())
         painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
-        _centred(painter, label, foot.x(), foot.y() + line * _TICK)
+        # The last one must not reach out of the room beside the picture.
+        most = bar.right() + metrics.horizontalAdvance("88") - metrics.horizontalAdvance(label) / 2
+        _centred(painter, label, min(foot.x(), most), foot.y() + line * _TICK)
     name = quantity_label(quantity)
     _centred(painter, name, bar.center().x(), bar.bottom() + line * (1 + _TICK))
     _paint_key(painter, QPointF(bar.center().x(), bar.bottom() + line * (2 + 2 * _TICK)), scene)

@@ -14,6 +14,7 @@ from qgis.PyQt.QtGui import (
 )
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
+from ..plots.directions import describe
 from .compat import position_of
 from .muogram_picture import Layout, Scene, paint
 
@@ -93,6 +94,11 @@ class MuogramView(QWidget):
         palette.setColor(QPalette.ColorRole.WindowText, QColor("black"))
         margin = _PICTURE_MARGIN
         room = QRectF(image.rect()).adjusted(margin, margin, -margin, -margin)
+        lines = "\n".join(describe(self._scene.muogram))
+        painter.setPen(QColor("black"))
+        wrapped = int(Qt.TextFlag.TextWordWrap)
+        used = painter.drawText(room, wrapped, lines)
+        room.setTop(used.bottom() + margin / 2)
         paint(painter, room, self._scene, palette)
         painter.end()
         return image

@@ -13,7 +13,7 @@ from ..errors import MuyscError
 from .map_items import MapItems
 from .map_tools import PlaceTool
 from .plan import Place, Plan
-from .preview import Background, Preview, Request, sentence_for
+from .preview import Background, Preview, Request
 from .sections import RaySection, section_of
 from .texts import tr
 
@@ -100,6 +100,7 @@ class Planner(QObject):
         """Draw and compute, or stop doing so."""
         self._shown = shown
         if shown:
+            self._suggest_terrain()
             self._refresh()
             return
         self._background.cancel()
@@ -133,6 +134,8 @@ class Planner(QObject):
         project.writeProject.disconnect(self._store)
         self._canvas.destinationCrsChanged.disconnect(self._redraw)
         self._unset_tools()
+        for tool in self.tools.values():
+            tool.release()
         self._background.close()
         self.items.remove()
 
@@ -148,7 +151,20 @@ class Planner(QObject):
 
     def _move(self, role: str, point: QgsPointXY, dragging: bool) -> None:
         crs = self._canvas.mapSettings().destinationCrs()
+        if not crs.isValid() and self.layer is not None:
+            # A map without a system shows layers in their own.
+            crs = self.layer.crs()
         self.put(role, Place.of(point, crs), coarse=dragging)
+        if role == "detector" and not dragging and self.plan.target is None:
+            self._canvas.setMapTool(self.tools["target"])
+
+    def _suggest_terrain(self) -> None:
+        """Take the only raster of the project, where none is chosen."""
+        layers = QgsProject.instance().mapLayers().values()
+        rasters = [one for one in layers if isinstance(one, QgsRasterLayer)]
+        if self.layer is None and len(rasters) == 1:
+            self.plan = replace(self.plan, dem=rasters[0].id())
+            self.plan_changed.emit(self.plan)
 
     def _unset_tools(self) -> None:
         for tool in self.tools.values():
@@ -171,13 +187,8 @@ class Planner(QObject):
             self._background.cancel()
             self._empty(lacking)
             return
-        try:
-            request = request_for(self.plan, coarse)
-        except (MuyscError, ImportError) as error:
-            self._background.cancel()
-            self._empty(sentence_for(error))
-            return
-        self._background.submit(request.compute, coarse)
+        plan = self.plan
+        self._background.submit(lambda: request_for(plan, coarse).compute, coarse)
 
     def _lacking(self) -> str:
         """Return what the user has to do next, empty where nothing is lacking."""

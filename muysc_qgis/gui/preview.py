@@ -85,11 +85,15 @@ def sentence_for(error: Exception) -> str:
     return tr("The muogram cannot be computed ({error}); choose other values.").format(error=error)
 
 
+#: What is done in the thread; its result is told.
+Computation = Callable[[Progress], Any]
+
+
 class _Job:
     """One computation, which may be stopped from another thread."""
 
-    def __init__(self, compute: Callable[[Progress], Any], coarse: bool) -> None:
-        self._compute = compute
+    def __init__(self, prepare: Callable[[], Computation], coarse: bool) -> None:
+        self.prepare = prepare
         self.coarse = coarse
         self._stop = Event()
         self.result: Any = None
@@ -102,19 +106,19 @@ class _Job:
     def cancelled(self) -> bool:
         return self._stop.is_set()
 
-    def run(self) -> None:
+    def run(self, compute: Computation) -> None:
         if self.cancelled:
             return
         try:
-            self.result = self._compute(lambda fraction: not self.cancelled)
+            self.result = compute(lambda fraction: not self.cancelled)
         except Cancelled:
-            pass
+            self.cancel()
         except Exception as error:
             self.problem = sentence_for(error)
 
 
 class Background(QObject):
-    """Runs one computation at a time, and the newest of those that wait.
+    """Runs one computation at a time, and after it the newest of those that wait.
 
     A newer one stops the one that runs; but of coarse ones each is let finish, or
     nothing would be seen as long as the mouse moves.
@@ -138,9 +142,18 @@ class Background(QObject):
         """Whether something is being computed."""
         return self._running is not None
 
-    def submit(self, compute: Callable[[Progress], Any], coarse: bool = False) -> None:
-        """Compute something; `compute` is called in the thread."""
-        job = _Job(compute, coarse)
+    def submit(self, prepare: Callable[[], Computation], coarse: bool = False) -> None:
+        """Compute something when its turn comes.
+
+        Parameters
+        ----------
+        prepare
+            Called in the thread of the windows, where layers may be looked at; returns
+            what is done in the background.
+        coarse
+            Whether the next one is near.
+        """
+        job = _Job(prepare, coarse)
         if self._running is None:
             self._start(job)
             return
@@ -162,9 +175,15 @@ class Background(QObject):
 
     def _start(self, job: _Job) -> None:
         self._running = job
+        try:
+            compute = job.prepare()
+        except Exception as error:
+            job.problem = sentence_for(error)
+            self._ended.emit(job)
+            return
 
         def run() -> None:
-            job.run()
+            job.run(compute)
             self._ended.emit(job)
 
         self._thread.submit(run)
@@ -174,9 +193,9 @@ class Background(QObject):
         self._running = None
         overtaken = job.cancelled
         if self._waiting is not None:
-            job_waiting, self._waiting = self._waiting, None
-            overtaken |= not job_waiting.coarse
-            self._start(job_waiting)
+            waiting, self._waiting = self._waiting, None
+            overtaken |= not waiting.coarse
+            self._start(waiting)
         if overtaken:
             return
         if job.problem:

@@ -14,11 +14,11 @@ _HALF_POINT_DEG = 11.25
 
 
 def describe_pixel(preview: Preview, row: int, column: int) -> str:
-    """Return direction and values of a pixel in three lines."""
+    """Return direction and values of a pixel, a line each."""
     flux = preview.muogram("flux")
     azimuth, elevation = float(flux.azimuth_deg[column]), float(flux.elevation_deg[row])
     letters = compass_points(azimuth - _HALF_POINT_DEG, azimuth + _HALF_POINT_DEG)[0][1]
-    direction = tr("Azimuth {azimuth}° ({letters}), elevation {elevation}°, zenith {zenith}°")
+    direction = tr("Azimuth {azimuth}° {letters}, elevation {elevation}°, zenith {zenith}°")
 
     def value(muogram: Muogram) -> float:
         return float(muogram.values[row, column])
@@ -39,10 +39,8 @@ def describe_pixel(preview: Preview, row: int, column: int) -> str:
             zenith=_angle(90.0 - elevation),
         ),
         rock,
-        tr("Flux {flux}, exposure {exposure}").format(
-            flux=with_unit(value(flux), flux.kind),
-            exposure=days(value(preview.muogram("exposure"))),
-        ),
+        tr("Flux {flux}").format(flux=with_unit(value(flux), flux.kind)),
+        tr("Exposure {exposure}").format(exposure=days(value(preview.muogram("exposure")))),
     ]  # fmt: skip
     return "\n".join(lines)
 

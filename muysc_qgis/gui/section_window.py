@@ -8,7 +8,7 @@ from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, 
 
 from .picture_actions import copy_picture, save_picture
 from .preview import Background
-from .sections import RaySection, drawing_of
+from .sections import RaySection
 from .texts import tr
 
 
@@ -75,7 +75,7 @@ class SectionWindow(QDialog):
 
     def show_section(self, section: RaySection) -> None:
         """Draw a section, and come up."""
-        self._background.submit(drawing_of(section))
+        self._background.submit(lambda: lambda progress: section.figure_png())
         self.show()
         self.raise_()
 

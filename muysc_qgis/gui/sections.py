@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +10,6 @@ from ..plots.profile import section_panel
 from ..plots.rays import Ray, rock_intervals
 from ..plots.style import png_bytes
 from ..plots.ticks import azimuth_label
-from ..progress import Progress
 from ..topography.section import terrain_section
 from .preview import Preview
 from .texts import tr
@@ -72,8 +70,3 @@ def section_of(preview: Preview, row: int, column: int) -> RaySection:
         preview, azimuth, elevation, distance, ground,
         rock_intervals(distance, ground, eye, elevation),
     )  # fmt: skip
-
-
-def drawing_of(section: RaySection) -> Callable[[Progress], bytes]:
-    """Return what draws a section in the background."""
-    return lambda progress: section.figure_png()

@@ -56,9 +56,9 @@ class SettingsForm(QWidget):
         self.pick_detector = _pick_button(tr("Pick detector"), "detector")
         self.pick_target = _pick_button(tr("Pick target"), "target")
         self.detector_height = _number(-_HIGHEST_M, _HIGHEST_M, 1, " m")
+        self.detector_height.setToolTip(tr("Height of the detector above ground, negative below"))
         self.target_height = _number(-_HIGHEST_M, _HIGHEST_M, 1, " m")
-        for spin in (self.detector_height, self.target_height):
-            spin.setToolTip(tr("Height above ground, negative below it"))
+        self.target_height.setToolTip(tr("Height of the target above ground, negative inside"))
         self.preset = _choice({NONE: tr("Free aperture"), **_titles(PRESETS)})
         self.azimuth = _number(0.1, 360.0, 1, "°")
         self.azimuth.setToolTip(tr("Full width of the field of view in azimuth"))
@@ -71,12 +71,15 @@ class SettingsForm(QWidget):
             }
         )
         self.density = _number(0.0, MAXIMUM_DENSITY_G_CM3, 3, " g/cm³")
-        self.density.setSpecialValueText(tr("of the material"))
+        self.density.setSpecialValueText(tr("as the material"))
         self.density.setSingleStep(0.05)
         self.model = _choice(_titles(MODELS))
         self.acceptance = _number(0.001, _LARGEST, 3, " cm² sr")
-        self.muons = _number(0.001, _LARGEST, 0, "")
+        self.acceptance.setToolTip(tr("Acceptance of one pixel; a telescope has its own"))
+        self.muons = _number(1.0, _LARGEST, 0, tr(" per pixel"))
+        self.muons.setToolTip(tr("Number of muons that the exposure time is for"))
         self.days = _number(0.001, _LARGEST, 1, tr(" days"))
+        self.days.setToolTip(tr("Time of counting that the muon counts are for"))
         self._lay_out()
         self._connect()
         self.show_plan(self._plan)
@@ -84,13 +87,11 @@ class SettingsForm(QWidget):
     def _lay_out(self) -> None:
         terrain = _form()
         terrain.addRow(tr("DEM"), self.dem)
-        terrain.addRow(self.pick_detector, self.detector_height)
-        terrain.addRow(self.pick_target, self.target_height)
+        terrain.addRow(_side_by_side(self.pick_detector, self.pick_target))
+        heights = _side_by_side(self.detector_height, self.target_height)
+        terrain.addRow(tr("Above ground"), heights)
         terrain.addRow(tr("Telescope"), self.preset)
-        field = QHBoxLayout()
-        field.addWidget(self.azimuth)
-        field.addWidget(QLabel("×"))
-        field.addWidget(self.elevation)
+        field = _side_by_side(self.azimuth, QLabel("×"), self.elevation)
         terrain.addRow(tr("Field of view"), field)
         self.physics = QgsCollapsibleGroupBox(tr("Rock, muons and time"))
         self.physics.setCollapsed(True)
@@ -99,8 +100,8 @@ class SettingsForm(QWidget):
             (tr("Material"), self.material),
             (tr("Density"), self.density),
             (tr("Flux model"), self.model),
-            (tr("Acceptance of a pixel"), self.acceptance),
-            (tr("Muons per pixel"), self.muons),
+            (tr("Acceptance"), self.acceptance),
+            (tr("Muons"), self.muons),
             (tr("Counting time"), self.days),
         ):
             rock.addRow(label, widget)
@@ -146,7 +147,9 @@ class SettingsForm(QWidget):
 
     def _show_layer(self, identifier: str) -> None:
         layers = (self.dem.layer(index) for index in range(self.dem.count()))
-        self.dem.setLayer(next((one for one in layers if _is(one, identifier)), None))
+        found = next((one for one in layers if _is(one, identifier)), None)
+        # Without a layer the entry that says so, rather than none at all.
+        self.dem.setCurrentIndex(0) if found is None else self.dem.setLayer(found)
 
     def _edit(self, *_: object) -> None:
         layer = self.layer
@@ -185,6 +188,13 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
     form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
     form.setContentsMargins(0, 0, 0, 0)
     return form
+
+
+def _side_by_side(*widgets: QWidget) -> QHBoxLayout:
+    layout = QHBoxLayout()
+    for widget in widgets:
+        layout.addWidget(widget)
+    return layout
 
 
 def _narrow(box: QComboBox) -> None:
@@ -228,5 +238,5 @@ def _pick_button(text: str, name: str) -> QToolButton:
     button.setIcon(icon(name))
     button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
     button.setCheckable(True)
-    button.setSizePolicy(QSizePolicy.Policy.MinimumExpanding, QSizePolicy.Policy.Fixed)
+    button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
     return button

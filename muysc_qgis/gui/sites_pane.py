@@ -26,7 +26,7 @@ from .comparison import Comparison, plan_at
 from .icons import icon
 from .planner import Planner
 from .sites import Site
-from .texts import metres, rounded, tr
+from .texts import bare_metres, metres, rounded, tr
 
 #: Titles of the columns.
 _COLUMNS = ("Site", "Distance\n(m)", "Thickest\n(m)", "Days")
@@ -219,15 +219,10 @@ def _row(figures: SiteFigures | None) -> tuple[str, ...]:
     if figures is None:
         return ("…",) * (len(_COLUMNS) - 1)
     return (
-        rounded_metres(figures.target_distance_m),
-        rounded_metres(figures.maximum_thickness_m),
+        bare_metres(figures.target_distance_m),
+        bare_metres(figures.maximum_thickness_m),
         rounded(figures.target_days),
     )
-
-
-def rounded_metres(length_m: float) -> str:
-    """Return a length in whole metres without the unit, which stands above the column."""
-    return metres(length_m).replace(" m", "")
 
 
 def _details(figures: SiteFigures | None) -> str:

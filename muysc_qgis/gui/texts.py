@@ -14,6 +14,10 @@ _CONTEXT = "MUYSC"
 #: Digits of a value: no flux model knows more.
 _DIGITS = 3
 
+#: So that a value and its unit stay on one line: no-break space, and slash with a joiner.
+_NO_BREAK = "\u00a0"
+_NO_BREAK_SLASH = "/\u2060"
+
 
 def tr(text: str) -> str:
     """Return a text in the language of QGIS."""
@@ -29,7 +33,7 @@ def rounded(value: float) -> str:
 
 def metres(value: float) -> str:
     """Return a length in whole metres, “–” where it is unknown."""
-    return f"{number_label(float(round(value)))} m" if np.isfinite(value) else "–"
+    return f"{bare_metres(value)}{_NO_BREAK}m" if np.isfinite(value) else "–"
 
 
 def days(value: float) -> str:
@@ -39,5 +43,11 @@ def days(value: float) -> str:
 
 def with_unit(value: float, quantity: Quantity) -> str:
     """Return a value to three digits with the unit of its quantity."""
-    unit = "" if quantity.unit == "1" or not np.isfinite(value) else f" {quantity.unit}"
-    return rounded(value) + unit
+    if quantity.unit == "1" or not np.isfinite(value):
+        return rounded(value)
+    return f"{rounded(value)} {quantity.unit}".replace(" ", _NO_BREAK).replace("/", _NO_BREAK_SLASH)
+
+
+def bare_metres(value: float) -> str:
+    """Return a length in whole metres without the unit, “–” where it is unknown."""
+    return number_label(float(round(value))) if np.isfinite(value) else "–"
