@@ -143,11 +143,17 @@ def _degrees(crs: CRS) -> CRS:
     return GeographicCRS(geodetic.name, datum=geodetic.datum)
 
 
-def to_wgs84(crs: CRS, x: float, y: float) -> tuple[float, float]:
-    """Return WGS 84 longitude and latitude (degrees) of a point in any CRS."""
+@lru_cache(maxsize=1)
+def _wgs84() -> CRS:
+    """Return WGS 84; making it takes longer than a transformation."""
     from pyproj import CRS
 
-    longitude, latitude = _transformer(crs, CRS.from_epsg(4326)).transform(x, y)
+    return CRS.from_epsg(4326)
+
+
+def to_wgs84(crs: CRS, x: float, y: float) -> tuple[float, float]:
+    """Return WGS 84 longitude and latitude (degrees) of a point in any CRS."""
+    longitude, latitude = _transformer(crs, _wgs84()).transform(x, y)
     return float(longitude), float(latitude)
 
 
@@ -202,9 +208,7 @@ def ground_height(dem: Dem, x: float, y: float, what: str) -> float:
 
 def from_wgs84(crs: CRS, longitude: float, latitude: float) -> tuple[float, float]:
     """Return the position in any CRS of a WGS 84 longitude and latitude (degrees)."""
-    from pyproj import CRS
-
-    x, y = _transformer(CRS.from_epsg(4326), crs).transform(longitude, latitude)
+    x, y = _transformer(_wgs84(), crs).transform(longitude, latitude)
     return float(x), float(y)
 
 

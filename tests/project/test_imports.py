@@ -17,6 +17,7 @@ ROOMS = {
     "muysc_qgis/measurement": {"numpy", "scipy"},
     "muysc_qgis/telescope": {"numpy", "scipy"},
     "muysc_qgis/tomography": {"numpy", "scipy"},
+    "muysc_qgis/survey": {"numpy", "osgeo", "pyproj", "distributed"},
     "muysc_qgis/topography": {"numpy", "scipy", "osgeo", "pyproj"},
     "muysc_qgis/plots": {"numpy", "scipy", "osgeo", "pyproj", "matplotlib", "jinja2"},
     "muysc_qgis/plugin.py": {"qgis"},
@@ -33,6 +34,7 @@ NEIGHBOURS = {
     "muysc_qgis/radiography": _COMMON | {"radiography"},
     "muysc_qgis/telescope": _COMMON | {"telescope", "radiography"},
     "muysc_qgis/topography": _COMMON | {"topography", "radiography", "muogram"},
+    "muysc_qgis/survey": _COMMON | {"survey", "topography"},
     "muysc_qgis/measurement": _COMMON | {"measurement", "radiography", "muogram"},
     "muysc_qgis/tomography": _COMMON | {"tomography"},
 }

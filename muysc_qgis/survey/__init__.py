@@ -1,0 +1,1 @@
+"""Many sites at once: candidates, workers that share one terrain, and the choice among them."""

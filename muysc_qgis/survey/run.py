@@ -1,0 +1,155 @@
+"""Running a job: here, in worker processes, or on a Dask cluster."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+from ..progress import Progress, report, silent
+from .blocks import BlockFolder
+from .cluster import compute_on_cluster
+from .job import Job
+from .local import WorkersFailed, compute_locally
+
+#: Told what happens, one sentence at a time.
+Say = Callable[[str], None]
+
+#: How often (s) the remaining time is told.
+_TELL_S = 5.0
+
+
+def unheard(text: str) -> None:
+    """Tell nobody."""
+
+
+def default_workers() -> int:
+    """Return the number of processors that this process may use."""
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:  # not on Windows and macOS
+        return os.cpu_count() or 1
+
+
+def run_job(
+    job: Job,
+    folder: Path,
+    workers: int | None = None,
+    scheduler: str = "",
+    progress: Progress = silent,
+    say: Say = unheard,
+    warn: Say = unheard,
+) -> list[Any]:
+    """Compute all items of a job, going on from blocks that are finished.
+
+    Results do not depend on where and in how many processes they are computed.
+
+    Parameters
+    ----------
+    job
+        What to compute.
+    folder
+        Where finished blocks are kept until `BlockFolder.remove`.
+    workers
+        Number of worker processes, 0 or 1 for none but this one, None for one for each
+        processor.
+    scheduler
+        Address of a Dask scheduler, empty for this machine.
+    progress
+        Told the share done.
+    say, warn
+        Told how far it is and how long it will take; told what went wrong.
+
+    Returns
+    -------
+    list
+        Result of each item.
+
+    Raises
+    ------
+    MuyscError
+        If an item cannot be computed, workers fail or the cluster cannot be used.
+    Cancelled
+        If `progress` asks for a stop; finished blocks are kept.
+    """
+    kept = BlockFolder(folder, job)
+    blocks = {block: kept.items(block) for block in kept.pending()}
+    pace = _Pace(job.items, sum(map(len, blocks.values())), progress, say)
+    workers = default_workers() if workers is None else workers
+    done: Iterator[tuple[int, list[Any]]]
+    if scheduler:
+        done = compute_on_cluster(job, blocks, scheduler, pace.pulse)
+    elif workers > 1 and len(blocks) > 1:
+        done = _with_workers(folder, blocks, workers, pace, warn)
+    else:
+        done = _compute_here(folder, blocks, pace)
+    for block, results in done:
+        kept.keep(block, results)
+        pace.count(len(results))
+    return kept.results()
+
+
+def _with_workers(
+    folder: Path, blocks: dict[int, range], workers: int, pace: _Pace, warn: Say
+) -> Iterator[tuple[int, list[Any]]]:
+    """Compute in worker processes, or here if not one of them can work."""
+    left = dict(blocks)
+    try:
+        for block, results in compute_locally(folder, blocks, workers, pace.pulse):
+            del left[block]
+            yield block, results
+    except WorkersFailed as error:
+        if len(left) < len(blocks):
+            raise
+        warn(f"{error} The survey runs in one process instead.")
+        yield from _compute_here(folder, left, pace)
+
+
+def _compute_here(
+    folder: Path, blocks: dict[int, range], pace: _Pace
+) -> Iterator[tuple[int, list[Any]]]:
+    if not blocks:
+        return
+    compute = Job.load(folder).prepared()
+    for block, items in blocks.items():
+        results: list[Any] = []
+        for item in items:
+            pace.pulse(len(results))
+            results.append(compute(item))
+        yield block, results
+
+
+class _Pace:
+    """How much is done, and how long the rest will take at the pace so far."""
+
+    def __init__(self, items: int, left: int, progress: Progress, say: Say) -> None:
+        self._items, self._left, self._progress, self._say = items, left, progress, say
+        self._begun = self._told = time.monotonic()
+        self._done_before = items - left
+        if self._done_before > 0:
+            say(f"{self._done_before} of {items} candidates were finished by an earlier run.")
+
+    def pulse(self, beyond: int = 0) -> None:
+        """Tell the share done, `beyond` items more than counted, and heed a stop."""
+        report(self._progress, min((self._items - self._left + beyond) / self._items, 1.0))
+
+    def count(self, items: int) -> None:
+        """Count items as done."""
+        self._left -= items
+        now = time.monotonic()
+        if self._left and now - self._told > _TELL_S:
+            done = self._items - self._left
+            seconds = self._left * (now - self._begun) / (done - self._done_before)
+            self._told = now
+            self._say(
+                f"{done} of {self._items} candidates are done, about {_spoken(seconds)} left."
+            )
+        self.pulse()
+
+
+def _spoken(seconds: float) -> str:
+    if seconds < 90:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
