@@ -13,7 +13,7 @@ from ..tomography.crossings import Stretches
 from ..tomography.ground import holds_rock
 from ..tomography.lattice import Lattice
 from ..tomography.projector import Paths, paths_through
-from ..tomography.rays import Rays
+from ..tomography.rays import Rays, joined
 from ..tomography.rock import rock_along
 from ..tomography.system import GRAMS_PER_CM2
 from ..tomography.voxels import VoxelGrid
@@ -112,7 +112,7 @@ def lay_sightlines(
     ground = ground_below(grid, frame, dem, part(progress, 0.0, 0.2))
     metric = frame.metric(grid)
     thickness = np.concatenate([seen.thickness_m for seen in rock])
-    rays = _rays(stations, rock, grid, frame)
+    rays = _rays(stations, frame)
     counts = {
         cause: int(sum(np.count_nonzero(seen.outcome == outcome) for seen in rock))
         for outcome, cause in UNKNOWN_ROCK.items()
@@ -143,29 +143,14 @@ def lay_sightlines(
     )  # fmt: skip
 
 
-def _rays(
-    stations: Sequence[StationData],
-    rock: Sequence[RockSeen],
-    grid: VoxelGrid,
-    frame: VolumeFrame,
-) -> Rays:
-    """Return the rays of all pixels in the frame, exact where they are in rock."""
-    middle = [0.5 * (low + high) for low, high in zip(grid.origin_m, grid.end_m)]
-    origins, directions, views = [], [], []
-    for number, (station, seen) in enumerate(zip(stations, rock)):
-        x, y = frame.place(station.longitude, station.latitude)
-        level = np.cos(np.radians(station.elevation_deg))
-        # Rays that see no rock matter, if at all, at the distance of the volume's middle.
-        away = np.hypot(middle[0] - x, middle[1] - y) / frame.scale
-        rock_m = 0.5 * (seen.distance_m + seen.exit_m) * level
-        touching = np.where(np.isfinite(rock_m), rock_m, away)
-        origin, direction = frame.lines(
-            (x, y, station.elevation_m), station.azimuth_deg, station.elevation_deg, touching
-        )
-        origins.append(origin)
-        directions.append(direction)
-        views.append(np.full(len(station), number))
-    return Rays(np.concatenate(origins), np.concatenate(directions), np.concatenate(views))
+def _rays(stations: Sequence[StationData], frame: VolumeFrame) -> Rays:
+    """Return the rays of all pixels in the frame."""
+    parts = []
+    for number, one in enumerate(stations):
+        place = (*frame.place(one.longitude, one.latitude), one.elevation_m)
+        lines = frame.lines(place, one.azimuth_deg, one.elevation_deg)
+        parts.append(Rays(*lines, np.full(len(one), number)))
+    return joined(parts)
 
 
 def _between(below: Stretches, rays: Rays, stations: Sequence[StationData]) -> Stretches:

@@ -29,11 +29,13 @@ _MOST_SKEW = 0.001
 
 @dataclass(frozen=True)
 class VolumeFrame:
-    """A projection around the middle of a volume, in metres that are true there.
+    """A projection around the middle of a volume, in true metres in which muons fly straight.
 
     Horizontal positions are counted from the middle and divided by the projection's scale
     there, so that lengths are true: across a volume 10 km wide the scale of a UTM zone
-    changes by less than 1e-4. Heights stay heights above the level surface.
+    changes by less than 1e-4. Up is counted from the plane that touches the level surface at the
+    middle's sea level, from which the Earth falls away by r²/2R at the distance r (2 m at 5 km).
+    Slices of a volume are level to that.
     """
 
     crs: CRS
@@ -79,19 +81,18 @@ class VolumeFrame:
         """Return the position in the CRS of a WGS 84 longitude and latitude."""
         return from_wgs84(self.crs, longitude, latitude)
 
-    def lines(
-        self,
-        station: Sequence[float],
-        azimuth_deg: np.ndarray,
-        elevation_deg: np.ndarray,
-        touching_m: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Return straight rays of a station in the frame.
+    def drop(self, east_m: np.ndarray, north_m: np.ndarray) -> np.ndarray:
+        """Return how far (m) level surfaces lie below the frame's planes at positions in it."""
+        return (east_m**2 + north_m**2) / (2 * self.radius_m)
 
-        The Earth falls away below a ray, so that its height above sea level is
-        h + d tan θ + d²/2R at the distance d. The line that touches this curve at the distance
-        D rises from h − D²/2R by tan θ + D/R; around D it is off by (d − D)²/2R, 8 cm after
-        1 km. True north is that of the station.
+    def lines(
+        self, station: Sequence[float], azimuth_deg: np.ndarray, elevation_deg: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return the rays of a station in the frame.
+
+        Above sea level a ray rises as h + d tan θ + d²/2R. In the frame that is a straight line:
+        with the station at the horizontal position s and the level unit vector u of the ray, it
+        starts at h − s²/2R and rises by tan θ − s·u/R. True north is that of the station.
 
         Parameters
         ----------
@@ -99,8 +100,6 @@ class VolumeFrame:
             x and y in the CRS, and height.
         azimuth_deg, elevation_deg
             (n,) directions.
-        touching_m
-            (n,) D, the horizontal distance of the rock that matters.
 
         Returns
         -------
@@ -109,17 +108,14 @@ class VolumeFrame:
         """
         azimuth = np.radians(azimuth_deg)
         level = np.stack([np.sin(azimuth), np.cos(azimuth)], axis=-1)
-        turn = _stretch(self.crs, (station[0], station[1]))
-        level = level @ turn.T
+        level = level @ _stretch(self.crs, (station[0], station[1])).T
         level /= np.linalg.norm(level, axis=-1, keepdims=True)
-        slope = np.tan(np.radians(elevation_deg)) + touching_m / self.radius_m
+        place = np.stack(self.local(np.array(station[0]), np.array(station[1])))
+        slope = np.tan(np.radians(elevation_deg)) - level @ place / self.radius_m
         direction = np.concatenate([level, slope[:, None]], axis=1)
         direction /= np.linalg.norm(direction, axis=1, keepdims=True)
-        east, north = self.local(np.array(station[0]), np.array(station[1]))
-        origin = np.empty(direction.shape)
-        origin[:, :2] = float(east), float(north)
-        origin[:, 2] = station[2] - touching_m**2 / (2 * self.radius_m)
-        return origin, direction
+        start = np.append(place, station[2] - self.drop(place[0], place[1]))
+        return np.broadcast_to(start, direction.shape).copy(), direction
 
 
 def projection_for(dem: Dem, longitude: float, latitude: float) -> CRS:

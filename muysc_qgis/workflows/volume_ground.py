@@ -28,7 +28,7 @@ _BLOCK = 1 << 19
 def ground_below(
     grid: VoxelGrid, frame: VolumeFrame, dem: Dem, progress: Progress = silent
 ) -> HeightField:
-    """Return the ground over a volume, in the frame's true metres.
+    """Return the ground over a volume, in the frame.
 
     A DEM in the volume's own projection keeps its cells, so that nothing is lost. Another is
     sampled, bilinear, twice per cell; one much finer than the voxels is averaged.
@@ -68,6 +68,9 @@ def ground_below(
         height[:, nodes] = heights
     if not np.isfinite(height).all():
         _refuse(height, dem)
+    nodes_x, nodes_y = (first + width * np.arange(n) for first, width, n in zip(low, step, counts))
+    east_m, north_m = frame.local(nodes_x[:, None], nodes_y[None, :])
+    height -= frame.drop(east_m, north_m)
     origin = frame.local(*np.array(low))
     return HeightField(
         (float(origin[0]), float(origin[1])),

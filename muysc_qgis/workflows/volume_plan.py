@@ -128,7 +128,7 @@ def _rock_points(
         level = slant * np.cos(elevation)
         origin, direction = frame.lines(
             (*frame.place(station.longitude, station.latitude), station.elevation_m),
-            station.azimuth_deg[meets], station.elevation_deg[meets], np.zeros(len(meets)),
+            station.azimuth_deg[meets], station.elevation_deg[meets],
         )  # fmt: skip
         heading = direction[:, :2] / np.linalg.norm(direction[:, :2], axis=1, keepdims=True)
         east = origin[:, :1] + level * heading[:, :1]
