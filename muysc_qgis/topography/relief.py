@@ -1,25 +1,30 @@
-"""A small picture of the terrain around a detector, for maps in reports."""
+"""Small pictures of the terrain, for maps in reports."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import MuyscError
-from .frame import LocalFrame
+from .dem import Dem
+from .frame import LocalFrame, transformed
+
+if TYPE_CHECKING:
+    from pyproj import CRS
 
 
 @dataclass(frozen=True)
 class Relief:
-    """Terrain heights on a regular grid around a detector.
+    """Terrain heights on a regular grid around a detector, or on a map.
 
     Parameters
     ----------
     east_m
-        (n_east,) increasing, evenly spaced, metres east of the detector.
+        (n_east,) increasing, evenly spaced, metres east of the detector or on the map.
     north_m
-        (n_north,) increasing, evenly spaced, metres north of the detector.
+        (n_north,) increasing, evenly spaced, metres north of the detector or on the map.
     elevation_m
         (n_north, n_east), NaN where unknown; the first row is the southernmost.
 
@@ -64,20 +69,60 @@ def relief_around(
     MuyscError
         If the DEM cannot be read.
     """
+    step = max(east_m[1] - east_m[0], north_m[1] - north_m[0]) / pixels
+    # Averaging keeps a coarse picture of a fine DEM free of moiré.
+    coarse = step > dem_cell_m(frame)
+    return _warped(frame.dem, frame.equidistant_wkt(), east_m, north_m, step, coarse)
+
+
+def relief_on_map(
+    dem: Dem, crs: CRS, x: tuple[float, float], y: tuple[float, float], pixels: int = 320
+) -> Relief:
+    """Return the terrain in a rectangle of a projection in metres.
+
+    Parameters
+    ----------
+    dem
+        Terrain.
+    crs
+        Projected, in metres.
+    x, y
+        Limits of the rectangle in it; heights beyond the DEM are unknown.
+    pixels
+        Pixels along the longer side.
+
+    Raises
+    ------
+    MuyscError
+        If the DEM cannot be read.
+    """
+    step = max(x[1] - x[0], y[1] - y[0]) / pixels
+    east, north = np.mean(x) + step * np.array([0, 1, 0]), np.mean(y) + step * np.array([0, 0, 1])
+    column, row = dem.grid_position(*transformed(crs, dem.crs, east, north))
+    coarse = bool(max(np.ptp(column), np.ptp(row)) > 1)
+    return _warped(dem, crs.to_wkt(), x, y, step, coarse)
+
+
+def _warped(
+    dem: Dem,
+    wkt: str,
+    east_m: tuple[float, float],
+    north_m: tuple[float, float],
+    step: float,
+    coarse: bool,
+) -> Relief:
+    """Return the heights of a rectangle in a projection."""
     from osgeo import gdal
 
     gdal.UseExceptions()
-    dem = frame.dem
-    step = max(east_m[1] - east_m[0], north_m[1] - north_m[0]) / pixels
     try:
         band = gdal.Translate("", dem.path, format="VRT", bandList=[dem.band])
-        # Averaging keeps a coarse picture of a fine DEM free of moiré; the warper
-        # reads overviews and only what the rectangle needs.
+        # The warper reads overviews and only what the rectangle needs.
         warped = gdal.Warp(
-            "", band, format="MEM", dstSRS=frame.equidistant_wkt(), srcSRS=dem.crs.to_wkt(),
+            "", band, format="MEM", dstSRS=wkt, srcSRS=dem.crs.to_wkt(),
             outputBounds=(east_m[0], north_m[0], east_m[1], north_m[1]), xRes=step, yRes=step,
             outputType=gdal.GDT_Float32, dstNodata=float("nan"),
-            resampleAlg="average" if step > dem_cell_m(frame) else "bilinear",
+            resampleAlg="average" if coarse else "bilinear",
         )  # fmt: skip
     except RuntimeError as error:
         raise MuyscError(f"The DEM {dem.name} cannot be drawn: {error}.") from error

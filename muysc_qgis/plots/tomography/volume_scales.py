@@ -1,0 +1,61 @@
+"""Colour scales of what voxels hold, one rule for every figure."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...volume import VOLUME_QUANTITIES
+from .. import ticks
+from ..colours import colour_map, colour_scale
+
+if TYPE_CHECKING:
+    from matplotlib.cm import ScalarMappable
+
+#: Share (%) of the values that a scale shows without its arrows.
+_SHOWN_PERCENT = 99.5
+
+#: Least half width of a diverging scale, g/cm³: differences below that are rounding.
+_LEAST_SPREAD = 0.01
+
+#: Blue below and red above the middle (Brewer's RdBu, told apart with any colour vision).
+_DIVERGING = "RdBu_r"
+
+
+def diverging(values: np.ndarray, middle: float, least: float = _LEAST_SPREAD) -> ScalarMappable:
+    """Return a scale that is white in the middle and as wide on both sides as values need.
+
+    Parameters
+    ----------
+    values
+        Any shape; what is not finite is left out.
+    middle
+        What white stands for.
+    least
+        Least half width.
+    """
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    apart = np.abs(values[np.isfinite(values)] - middle)
+    most = float(np.percentile(apart, _SHOWN_PERCENT)) if apart.size else 0.0
+    # Rounded up to a tenth of its decade, so that the ends are round numbers.
+    step = ticks.round_step(max(most, least), 10)
+    half = step * np.ceil(max(most, least) / step)
+    return ScalarMappable(Normalize(middle - half, middle + half), _DIVERGING)
+
+
+def counted(values: np.ndarray) -> ScalarMappable:
+    """Return the scale of rays per voxel."""
+    return colour_scale(values, VOLUME_QUANTITIES["coverage"])
+
+
+def from_zero(values: np.ndarray, quantity: str) -> ScalarMappable:
+    """Return a scale in the colours of a quantity that begins at 0."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    known = values[np.isfinite(values)]
+    most = float(np.percentile(known, _SHOWN_PERCENT)) if known.size else 0.0
+    return ScalarMappable(Normalize(0.0, most or 1.0), colour_map(VOLUME_QUANTITIES[quantity]))
