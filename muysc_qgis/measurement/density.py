@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from ..errors import MuyscError
+from ..progress import Progress, part, silent
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.energy_loss import minimum_energy
 from ..radiography.envelope import Envelope, envelope_over_models, model_holds
@@ -136,7 +137,9 @@ def check_uncertainty(share: float) -> None:
         )
 
 
-def measure_density(seen: Observation, scene: Scene, minimum_counts: float = 0.0) -> Densities:
+def measure_density(
+    seen: Observation, scene: Scene, minimum_counts: float = 0.0, progress: Progress = silent
+) -> Densities:
     """Return density, error and flag of every pixel.
 
     The opacity is the inverse of I(ϱ, θ) and the density ϱ/(100 L). An interval of one
@@ -152,11 +155,15 @@ def measure_density(seen: Observation, scene: Scene, minimum_counts: float = 0.0
     minimum_counts
         Neighbouring pixels are merged until each region has counted as many; 0 for no
         merging.
+    progress
+        Told the share done.
 
     Raises
     ------
     MuyscError
         If pixels are to be merged that hold no counts, or a value cannot be used.
+    Cancelled
+        If `progress` asks for a stop.
     """
     if minimum_counts > 0:
         if seen.counts is None or seen.exposure is None:
@@ -164,23 +171,25 @@ def measure_density(seen: Observation, scene: Scene, minimum_counts: float = 0.0
                 f"Pixels can be merged up to {minimum_counts:g} counts only where muons were "
                 "counted; give muon counts, or 0 for no merging."
             )
-        return _merged(seen, scene, minimum_counts)
-    return _single(seen, scene)
+        return _merged(seen, scene, minimum_counts, progress)
+    return _single(seen, scene, progress)
 
 
-def model_densities(seen: Observation, scene: Scene, minimum_counts: float = 0.0) -> Envelope:
+def model_densities(
+    seen: Observation, scene: Scene, minimum_counts: float = 0.0, progress: Progress = silent
+) -> Envelope:
     """Return the smallest and largest density over the flux models that hold.
 
     Parameters
     ----------
-    seen, scene, minimum_counts
+    seen, scene, minimum_counts, progress
         As in `measure_density`.
     """
     cosine = np.sin(np.radians(scene.elevation_deg))
 
-    def density_of(physics: Physics) -> tuple[np.ndarray, np.ndarray]:
+    def density_of(physics: Physics, progress: Progress) -> tuple[np.ndarray, np.ndarray]:
         there = Scene(scene.thickness_m, scene.elevation_deg, physics, scene.altitude_m)
-        found = measure_density(seen, there, minimum_counts)
+        found = measure_density(seen, there, minimum_counts, progress)
         measured = found.flags == Flag.MEASURED
         opacity = found.opacity(scene.thickness_m)
         start = open_sky_start_gev(physics)
@@ -190,42 +199,55 @@ def model_densities(seen: Observation, scene: Scene, minimum_counts: float = 0.0
             holds &= model_holds(physics, sky, np.array(start), OPEN_SKY_SLACK)
         return found.density, holds & measured
 
-    return envelope_over_models(scene.physics, density_of)
+    return envelope_over_models(scene.physics, density_of, progress)
 
 
-def _single(seen: Observation, scene: Scene) -> Densities:
+def _single(seen: Observation, scene: Scene, progress: Progress) -> Densities:
     """Return densities pixel by pixel."""
     unit = seen.unit_flux(scene.physics, scene.altitude_m)
     rock = scene.rock & np.isfinite(seen.value)
 
-    def density_at(value: np.ndarray) -> np.ndarray:
+    def density_at(value: np.ndarray, turn: int) -> np.ndarray:
         flux = np.where(rock, value * unit, np.nan)
-        opacity = opacity_from_flux(flux, scene.elevation_deg, scene.physics, scene.altitude_m)
+        opacity = opacity_from_flux(
+            flux,
+            scene.elevation_deg,
+            scene.physics,
+            scene.altitude_m,
+            part(progress, turn / 4, (turn + 1) / 4),
+        )
         length = np.where(rock, scene.thickness_m, np.nan)
         return opacity / (length * G_CM2_PER_M_WATER_EQUIVALENT)
 
     none = rock & (seen.value == 0)
     down, up = with_model(seen.ln_down, seen.ln_up, scene.model_uncertainty)
     # A limit holds for the flux of the least favourable model.
-    limit = density_at(np.where(none, seen.limit * np.exp(scene.model_uncertainty), np.nan))
-    density = np.where(none, limit, density_at(seen.value))
-    lower = np.where(none, limit, density_at(seen.value * np.exp(up)))
-    upper = density_at(np.where(none, np.nan, seen.value * np.exp(-down)))
+    limit = density_at(np.where(none, seen.limit * np.exp(scene.model_uncertainty), np.nan), 0)
+    density = np.where(none, limit, density_at(seen.value, 1))
+    lower = np.where(none, limit, density_at(seen.value * np.exp(up), 2))
+    upper = density_at(np.where(none, np.nan, seen.value * np.exp(-down)), 3)
     return _flagged(seen, scene, density, lower, upper, none, None)
 
 
-def _merged(seen: Observation, scene: Scene, minimum_counts: float) -> Densities:
+def _merged(
+    seen: Observation, scene: Scene, minimum_counts: float, progress: Progress
+) -> Densities:
     """Return densities of regions, each pixel with that of its region."""
     rock = scene.rock & np.isfinite(seen.value)
     counts = np.zeros(rock.shape) if seen.counts is None else seen.counts
-    region = merge_pixels(np.where(rock, counts, 0.0), rock, minimum_counts)
+    region = merge_pixels(
+        np.where(rock, counts, 0.0), rock, minimum_counts, part(progress, 0.0, 0.25)
+    )
     total, density_for = pooled(seen, scene, region)
     down, up = with_model(*logarithmic_errors(*total), scene.model_uncertainty)
-    ends = [density_for(total[0] * np.exp(shift)) for shift in (np.zeros_like(up), up, -down)]
+    ends = [
+        density_for(total[0] * np.exp(shift), part(progress, turn / 4, (turn + 1) / 4))
+        for turn, shift in enumerate((np.zeros_like(up), up, -down), start=1)
+    ]
     if not total[0].any() and rock.any():
         # A picture without any muon is one region, and its density has a limit.
         most = np.nanmax((seen.limit * seen.exposure)[rock]) * np.exp(scene.model_uncertainty)
-        ends[0] = ends[1] = density_for(np.array([most]))
+        ends[0] = ends[1] = density_for(np.array([most]), part(progress, 1.0, 1.0))
     density, lower, upper = (np.append(end, np.nan)[region] for end in ends)
     none = rock & (np.append(total[0], 1.0)[region] == 0)
     return _flagged(seen, scene, density, lower, upper, none, region)
@@ -233,7 +255,7 @@ def _merged(seen: Observation, scene: Scene, minimum_counts: float) -> Densities
 
 def pooled(
     seen: Observation, scene: Scene, region: np.ndarray
-) -> tuple[tuple[np.ndarray, ...], Callable[[np.ndarray], np.ndarray]]:
+) -> tuple[tuple[np.ndarray, ...], Callable[[np.ndarray, Progress], np.ndarray]]:
     """Return the counts of regions (and of the open sky), and their density for given counts.
 
     Parameters
@@ -248,7 +270,7 @@ def pooled(
     exposure = seen.exposure / seen.unit_flux(scene.physics, scene.altitude_m)
     elevation = np.broadcast_to(scene.elevation_deg, region.shape)
 
-    def density_for(counts: np.ndarray) -> np.ndarray:
+    def density_for(counts: np.ndarray, progress: Progress) -> np.ndarray:
         return uniform_density(
             counts,
             label,
@@ -257,6 +279,7 @@ def pooled(
             elevation[inside],
             scene.physics,
             scene.altitude_m,
+            progress,
         )
 
     kinds = [kind for kind in (seen.counts, seen.sky_counts) if kind is not None]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..progress import Progress, part, silent
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.transmission import attenuate
 from .density import Densities, Flag, Scene, pooled, with_model
@@ -32,7 +33,9 @@ class Mean:
 _UNKNOWN = Mean(np.nan, np.nan, np.nan)
 
 
-def mean_density(seen: Observation, scene: Scene, found: Densities) -> Mean:
+def mean_density(
+    seen: Observation, scene: Scene, found: Densities, progress: Progress = silent
+) -> Mean:
     """Return the one density that explains all pixels with rock.
 
     For counts it is the root of Σ a N = Σ a 𝓔 I(100 ρ L, θ) over all pixels, those without
@@ -49,6 +52,13 @@ def mean_density(seen: Observation, scene: Scene, found: Densities) -> Mean:
         What was measured and where.
     found
         From `measure_density`.
+    progress
+        Told the share done.
+
+    Raises
+    ------
+    Cancelled
+        If `progress` asks for a stop.
     """
     if seen.counts is None:
         return _weighted_mean(seen, found, scene.model_uncertainty)
@@ -56,42 +66,54 @@ def mean_density(seen: Observation, scene: Scene, found: Densities) -> Mean:
     if not rock.any():
         return _UNKNOWN
     total, density_for = pooled(seen, scene, np.where(rock, 0, -1))
-    first = float(density_for(total[0])[0])
+    first = float(density_for(total[0], part(progress, 0.0, 0.4))[0])
     if min(float(kind[0]) for kind in total) < EXACT_BELOW or not first > 0:
-        return _from_total(first, total, density_for, scene.model_uncertainty)
-    return _from_weights(first, seen, scene, rock, seen.counts[rock])
+        return _from_total(
+            first, total, density_for, scene.model_uncertainty, part(progress, 0.4, 1.0)
+        )
+    return _from_weights(first, seen, scene, rock, seen.counts[rock], part(progress, 0.4, 1.0))
 
 
 def _from_total(
     first: float,
     total: tuple[np.ndarray, ...],
-    density_for: Callable[[np.ndarray], np.ndarray],
+    density_for: Callable[[np.ndarray, Progress], np.ndarray],
     uncertainty: float,
+    progress: Progress,
 ) -> Mean:
     """Return the density of the sum of all counts, with its exact interval."""
     errors = logarithmic_errors(*total)
     halves = []
-    for down, up in (errors, with_model(*errors, uncertainty)):
-        ends = [density_for(total[0] * np.exp(shift)) for shift in (up, -down)]
+    for half, (down, up) in enumerate((errors, with_model(*errors, uncertainty))):
+        ends = [
+            density_for(total[0] * np.exp(shift), part(progress, turn / 4, (turn + 1) / 4))
+            for turn, shift in enumerate((up, -down), start=2 * half)
+        ]
         halves.append(float((ends[1] - ends[0])[0]) / 2.0)
     return Mean(first, halves[1], halves[0])
 
 
 def _from_weights(
-    first: float, seen: Observation, scene: Scene, rock: np.ndarray, counted: np.ndarray
+    first: float,
+    seen: Observation,
+    scene: Scene,
+    rock: np.ndarray,
+    counted: np.ndarray,
+    progress: Progress,
 ) -> Mean:
     """Return the density of weighted sums of counts, given a first guess."""
     exposure = (seen.exposure / seen.unit_flux(scene.physics, scene.altitude_m))[rock]
     elevation = np.broadcast_to(scene.elevation_deg, rock.shape)[rock]
     length = scene.thickness_m[rock]
 
-    def expected(density: float) -> np.ndarray:
+    def expected(density: float, turn: int) -> np.ndarray:
         opacity = density * length * G_CM2_PER_M_WATER_EQUIVALENT
-        flux = attenuate(opacity, elevation, scene.physics, scene.altitude_m).flux
+        within = part(progress, turn / 10, (turn + 1) / 10)
+        flux = attenuate(opacity, elevation, scene.physics, scene.altitude_m, within).flux
         return exposure * np.nan_to_num(flux)
 
-    counts = expected(first)
-    more = expected(first * (1.0 + _STEP))
+    counts = expected(first, 0)
+    more = expected(first * (1.0 + _STEP), 1)
     some = counts > 0
     ratio = np.divide(more, counts, out=np.ones_like(counts), where=some & (more > 0))
     slope = -np.log(ratio) / np.log1p(_STEP)
@@ -110,6 +132,7 @@ def _from_weights(
             elevation,
             scene.physics,
             scene.altitude_m,
+            part(progress, 0.2, 1.0),
         )[0]
     )
     # How the weighted sum falls with ln ρ turns its errors into those of the density.

@@ -122,7 +122,9 @@ def from_count_ratio(
     check_positive(days_per_sky_day, "ratio of the two exposures")
     exposure = np.where(sky_counts > 0, sky_counts, np.nan) * days_per_sky_day
     down, up = logarithmic_errors(counts, sky_counts)
-    limit = ratio_upper_limit(counts, np.where(sky_counts > 0, sky_counts, np.nan), confidence)
+    # Needed where nothing was counted alone, and each takes long.
+    none = np.where(counts == 0, counts, np.nan)
+    limit = ratio_upper_limit(none, np.where(sky_counts > 0, sky_counts, np.nan), confidence)
     return Observation(
         counts / exposure,
         down,

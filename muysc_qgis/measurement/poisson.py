@@ -35,11 +35,13 @@ def exact_interval(
     """
     from scipy.special import gammaincinv
 
-    counts = np.asarray(counts, dtype=float)
+    # Many pixels share few counts, and each inverse takes long.
+    counts, pixel = _distinct(counts)
     tail = (1.0 - confidence) / 2.0
     # A Poisson sum is an incomplete gamma function of its mean.
     lower = gammaincinv(np.where(counts > 0, counts, np.nan), tail)
-    return np.where(counts == 0, 0.0, lower), gammaincinv(counts + 1.0, 1.0 - tail)
+    lower = np.where(counts == 0, 0.0, lower)
+    return lower[pixel], gammaincinv(counts + 1.0, 1.0 - tail)[pixel]
 
 
 def upper_limit(counts: np.ndarray, confidence: float) -> np.ndarray:
@@ -54,7 +56,8 @@ def upper_limit(counts: np.ndarray, confidence: float) -> np.ndarray:
     """
     from scipy.special import gammaincinv
 
-    return np.asarray(gammaincinv(np.asarray(counts, dtype=float) + 1.0, confidence))
+    counts, pixel = _distinct(counts)
+    return np.asarray(gammaincinv(counts + 1.0, confidence)[pixel])
 
 
 def exact_ratio_interval(
@@ -123,16 +126,23 @@ def logarithmic_errors(
     if reference is None:
         few = counts < EXACT_BELOW
         normal = 1.0 / np.sqrt(some)
-        lower, upper = exact_interval(some)
+        lower, upper = exact_interval(np.where(few, some, np.nan))
         estimate = some
     else:
         reference = np.asarray(reference, dtype=float)
         some_reference = np.where(reference > 0, reference, np.nan)
         few = (counts < EXACT_BELOW) | (reference < EXACT_BELOW)
         normal = np.sqrt(1.0 / some + 1.0 / some_reference)
-        lower, upper = exact_ratio_interval(some, some_reference)
+        lower, upper = exact_ratio_interval(np.where(few, some, np.nan), some_reference)
         estimate = some / some_reference
     return (
         np.where(few, np.log(estimate / lower), normal),
         np.where(few, np.log(upper / estimate), normal),
     )
+
+
+def _distinct(counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the distinct counts, and which of them each pixel has, in the pixels' shape."""
+    counts = np.asarray(counts, dtype=float)
+    distinct, pixel = np.unique(counts, return_inverse=True)
+    return distinct, pixel.reshape(counts.shape)

@@ -4,8 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..progress import Progress, report, silent
 
-def merge_pixels(counts: np.ndarray, usable: np.ndarray, minimum: float) -> np.ndarray:
+#: Rectangles looked at between two reports of the progress.
+_RECTANGLES = 256
+
+
+def merge_pixels(
+    counts: np.ndarray, usable: np.ndarray, minimum: float, progress: Progress = silent
+) -> np.ndarray:
     """Cut a muogram into rectangles that each hold a minimum of counts.
 
     The whole picture is halved, each half is halved again and so on, across the longer
@@ -20,19 +27,29 @@ def merge_pixels(counts: np.ndarray, usable: np.ndarray, minimum: float) -> np.n
         (n_elevation, n_azimuth), which pixels take part.
     minimum
         Counts that a region must hold; a picture with fewer stays one region.
+    progress
+        Told the share done.
 
     Returns
     -------
     numpy.ndarray
         (n_elevation, n_azimuth) number of each pixel's region from 0, −1 where not usable.
+
+    Raises
+    ------
+    Cancelled
+        If `progress` asks for a stop.
     """
     label = np.full(counts.shape, -1)
     # Sums over any rectangle from four corners.
     total = np.zeros((counts.shape[0] + 1, counts.shape[1] + 1))
     total[1:, 1:] = np.where(usable, counts, 0.0).cumsum(axis=0).cumsum(axis=1)
-    number = 0
+    number = looked_at = labelled = 0
     waiting = [(0, counts.shape[0], 0, counts.shape[1])]
     while waiting:
+        if looked_at % _RECTANGLES == 0:
+            report(progress, labelled / label.size)
+        looked_at += 1
         top, bottom, left, right = _shrunk(waiting.pop(), usable)
         if bottom == top:
             continue
@@ -48,6 +65,7 @@ def merge_pixels(counts: np.ndarray, usable: np.ndarray, minimum: float) -> np.n
             region = label[top:bottom, left:right]
             region[usable[top:bottom, left:right]] = number
             number += 1
+            labelled += region.size
         elif axis == 0:
             waiting += [(top, top + cut, left, right), (top + cut, bottom, left, right)]
         else:

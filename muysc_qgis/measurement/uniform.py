@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..progress import Progress, part, silent
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.settings import Physics
 from ..radiography.transmission import attenuate
@@ -28,6 +29,7 @@ def uniform_density(
     elevation_deg: np.ndarray,
     physics: Physics,
     altitude_m: float,
+    progress: Progress = silent,
 ) -> np.ndarray:
     """Return the density of each region, the root of Σ 𝓔 I(100 ρ L, θ) = N.
 
@@ -48,26 +50,34 @@ def uniform_density(
         (n_pixel,) elevation in degrees, above 0.
     physics, altitude_m
         As in `attenuate`.
+    progress
+        Told the share done.
 
     Returns
     -------
     numpy.ndarray
         (n_region,) g/cm³; 0 where more was counted than the open sky gives, NaN where
         nothing was counted or less than the densest lets through.
+
+    Raises
+    ------
+    Cancelled
+        If `progress` asks for a stop.
     """
     ln_counts = np.log(np.where(counts > 0, counts, np.nan))
 
-    def excess(density: np.ndarray) -> np.ndarray:
+    def excess(density: np.ndarray, tried: int) -> np.ndarray:
         opacity = density[region] * thickness_m * G_CM2_PER_M_WATER_EQUIVALENT
-        flux = attenuate(opacity, elevation_deg, physics, altitude_m).flux
+        within = part(progress, _share_done(tried), _share_done(tried + 1))
+        flux = attenuate(opacity, elevation_deg, physics, altitude_m, within).flux
         # Beyond the end of the range law nothing comes through.
         expected = np.bincount(region, exposure * np.nan_to_num(flux), len(counts))
         return np.log(np.maximum(expected, np.finfo(float).tiny)) - ln_counts
 
     low = np.full(len(counts), np.log(_LOWEST_G_CM3))
     high = np.full(len(counts), np.log(_HIGHEST_G_CM3))
-    at_low, at_high = excess(np.exp(low)), excess(np.exp(high))
-    is_sky, has_answer = excess(np.zeros(len(counts))) <= 0, at_high <= 0
+    at_low, at_high = excess(np.exp(low), 0), excess(np.exp(high), 1)
+    is_sky, has_answer = excess(np.zeros(len(counts)), 2) <= 0, at_high <= 0
     middle, before = low, is_sky
     for step in range(_STEPS):
         if step < _HALVINGS:
@@ -76,7 +86,7 @@ def uniform_density(
             with np.errstate(invalid="ignore", divide="ignore"):
                 middle = (low * at_high - high * at_low) / (at_high - at_low)
             middle = np.clip(middle, low, high)
-        at_middle = excess(np.exp(np.nan_to_num(middle)))
+        at_middle = excess(np.exp(np.nan_to_num(middle)), step + 3)
         beyond = at_middle > 0
         # The Illinois method: an end that stays for a second time counts half.
         weight = np.where((beyond == before) & (step > _HALVINGS), 0.5, 1.0)
@@ -88,3 +98,8 @@ def uniform_density(
             break
     answer = np.where(has_answer, np.exp(middle), np.nan)
     return np.where(np.isnan(ln_counts), np.nan, np.where(is_sky, 0.0, answer))
+
+
+def _share_done(tried: int) -> float:
+    """Return the share done after some densities; about twenty are tried as a rule."""
+    return float(1.0 - 0.9**tried)

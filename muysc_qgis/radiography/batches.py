@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..errors import MuyscError
+from ..progress import Progress, report, silent
 
 #: Rays computed at a time; bounds the memory and keeps it in the processor's cache.
 _BLOCK = 1 << 16
@@ -61,7 +62,7 @@ def checked(
 
 
 def blocks(
-    shape: tuple[int, ...], elevation: np.ndarray
+    shape: tuple[int, ...], elevation: np.ndarray, progress: Progress = silent
 ) -> Iterator[tuple[tuple[slice, ...], np.ndarray]]:
     """Cut rays along the first axis, bounding the memory of what is computed for each part.
 
@@ -71,16 +72,24 @@ def blocks(
         Shape of the rays.
     elevation
         Their elevations, with as many dimensions.
+    progress
+        Told the share done before each block.
 
     Yields
     ------
     tuple
         Index of the block in the rays, and its elevations.
+
+    Raises
+    ------
+    Cancelled
+        If `progress` asks for a stop.
     """
     row_size = max(1, int(np.prod(shape[1:])))
     step = max(1, _BLOCK // row_size)
     if elevation.shape[0] > 1:
         step = min(step, max(1, _ZENITH_BLOCK // max(1, elevation[0].size)))
     for first in range(0, shape[0], step):
+        report(progress, first / shape[0])
         block = (slice(first, first + step),)
         yield block, elevation if elevation.shape[0] == 1 else elevation[block]

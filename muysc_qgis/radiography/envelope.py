@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..progress import Progress, part, silent
 from .constants import MUON_MASS_GEV
 from .gaisser import GAISSER_PARAMETERS
 from .settings import Physics
@@ -31,6 +32,7 @@ def model_envelope(
     elevation_deg: np.ndarray,
     physics: Physics,
     altitude_m: float = 0.0,
+    progress: Progress = silent,
 ) -> Envelope:
     """Return the smallest and largest flux behind rock over the models that hold there.
 
@@ -40,7 +42,7 @@ def model_envelope(
 
     Parameters
     ----------
-    opacity_g_cm2, elevation_deg, physics, altitude_m
+    opacity_g_cm2, elevation_deg, physics, altitude_m, progress
         As in `attenuate`.
 
     Returns
@@ -56,17 +58,19 @@ def model_envelope(
     opacity = np.asarray(opacity_g_cm2, dtype=float)
     cosine = np.sin(np.radians(np.asarray(elevation_deg, dtype=float)))
 
-    def flux_of(model: Physics) -> tuple[np.ndarray, np.ndarray]:
-        muons = attenuate(opacity, elevation_deg, model, altitude_m)
+    def flux_of(model: Physics, progress: Progress) -> tuple[np.ndarray, np.ndarray]:
+        muons = attenuate(opacity, elevation_deg, model, altitude_m, progress)
         start = np.fmax(muons.minimum_energy_gev, open_sky_start_gev(model))
         slack = np.where(opacity > 0, 1.0, OPEN_SKY_SLACK)
         return muons.flux, model_holds(model, cosine, start, slack)
 
-    return envelope_over_models(physics, flux_of)
+    return envelope_over_models(physics, flux_of, progress)
 
 
 def envelope_over_models(
-    physics: Physics, evaluate: Callable[[Physics], tuple[np.ndarray, np.ndarray]]
+    physics: Physics,
+    evaluate: Callable[[Physics, Progress], tuple[np.ndarray, np.ndarray]],
+    progress: Progress = silent,
 ) -> Envelope:
     """Return the smallest and largest value over the flux models.
 
@@ -75,12 +79,16 @@ def envelope_over_models(
     physics
         Physics whose flux model is replaced by one after the other.
     evaluate
-        Returns values for the physics given, and where they are to count.
+        Returns values for the physics given, and where they are to count; told the share
+        done of its own work.
+    progress
+        Told the share done.
     """
     minimum = maximum = np.array(np.nan)
     rays = {}
-    for name in MODELS:
-        values, holds = evaluate(replace(physics, flux_model=name))
+    for number, name in enumerate(MODELS):
+        within = part(progress, number / len(MODELS), (number + 1) / len(MODELS))
+        values, holds = evaluate(replace(physics, flux_model=name), within)
         counted = np.where(holds, values, np.nan)
         minimum, maximum = np.fmin(minimum, counted), np.fmax(maximum, counted)
         rays[name] = int(np.count_nonzero(np.isfinite(counted)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..progress import Progress, silent
 from .batches import blocks, checked
 from .energy_loss import csda_range, range_law
 from .settings import Physics, check_altitude
@@ -22,6 +23,7 @@ def opacity_from_flux(
     elevation_deg: np.ndarray,
     physics: Physics,
     altitude_m: float = 0.0,
+    progress: Progress = silent,
 ) -> np.ndarray:
     """Return the opacity behind which a muon flux is left: the inverse of `attenuate`.
 
@@ -35,6 +37,8 @@ def opacity_from_flux(
         Material, flux model and corrections.
     altitude_m
         Height of the detector above sea level, m.
+    progress
+        Told the share done.
 
     Returns
     -------
@@ -47,12 +51,14 @@ def opacity_from_flux(
     MuyscError
         If a flux is negative or infinite, an elevation is no angle from −90° to 90°, the
         shapes do not fit or the altitude is not on land.
+    Cancelled
+        If `progress` asks for a stop.
     """
     flux, elevation, shape = checked(flux_per_cm2_sr_day, elevation_deg, "flux", "cm⁻² sr⁻¹ day⁻¹")
     check_altitude(altitude_m)
     highest_gev = _highest_energy(physics)
     opacity = np.empty(flux.shape)
-    for block, block_elevation in blocks(flux.shape, elevation):
+    for block, block_elevation in blocks(flux.shape, elevation, progress):
         sky = Sky.at(block_elevation, physics, altitude_m, highest_gev)
         opacity[block] = _search(np.where(flux[block] > 0, flux[block], np.nan), sky, highest_gev)
     return opacity.reshape(shape)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..progress import Progress, silent
 from .batches import blocks, checked
 from .constants import OPEN_SKY_MOMENTUM_GEV, SECONDS_PER_DAY
 from .energy_loss import minimum_energy
@@ -55,6 +56,7 @@ def attenuate(
     elevation_deg: np.ndarray,
     physics: Physics,
     altitude_m: float = 0.0,
+    progress: Progress = silent,
 ) -> Attenuation:
     """Return the muon flux behind rock.
 
@@ -72,18 +74,22 @@ def attenuate(
         Material, flux model and corrections.
     altitude_m
         Height of the detector above sea level, m.
+    progress
+        Told the share done.
 
     Raises
     ------
     MuyscError
         If an opacity is negative or infinite, an elevation is no angle from −90° to 90°,
         the shapes do not fit or the altitude is not on land.
+    Cancelled
+        If `progress` asks for a stop.
     """
     opacity, elevation, shape = checked(opacity_g_cm2, elevation_deg, "opacity", "g/cm²")
     check_altitude(altitude_m)
     results = np.empty((4, *opacity.shape))  # in the order of Attenuation
     counts: Counter[str] = Counter()
-    for block, block_elevation in blocks(opacity.shape, elevation):
+    for block, block_elevation in blocks(opacity.shape, elevation, progress):
         rho = opacity[block]
         energy = minimum_energy(rho, physics)
         sky = Sky.at(

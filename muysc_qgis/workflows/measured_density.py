@@ -18,7 +18,7 @@ from ..measurement.density import (
 )
 from ..measurement.mean import Mean, mean_density
 from ..measurement.observation import Observation, check_transmission, pixels
-from ..progress import Progress, report, silent
+from ..progress import Progress, part, report, silent
 from ..radiography.settings import Physics
 from ..views import (
     View,
@@ -34,6 +34,9 @@ from .simulation import describe_physics
 
 #: Detectors of two muograms farther apart than this (m) are worth a warning.
 _SAME_PLACE_M = 30.0
+
+#: Share of the progress bar for the model chosen, where all others follow.
+_OWN = 0.25
 
 #: What the values of a raster of flags mean, as its metadata says it.
 FLAG_MEANINGS = {
@@ -166,12 +169,12 @@ def density_behind(
     if measured.values.quantity == "transmission":
         errors = None if measured.errors is None else measured.errors.values
         check_transmission(measured.values.values, errors, thickness.values)
+    report(progress, 0.0)
     seen = measured.observation(choices.limit_confidence)
     report(progress, 0.0)
-    found = measure_density(seen, scene, choices.minimum_counts)
-    report(progress, 0.4)
-    mean = mean_density(seen, scene, found)
-    report(progress, 0.6)
+    own = _OWN if choices.model_spread else 1.0
+    found = measure_density(seen, scene, choices.minimum_counts, part(progress, 0.0, 0.5 * own))
+    mean = mean_density(seen, scene, found, part(progress, 0.5 * own, own))
     values = {
         "thickness": thickness.values,
         "opacity": found.opacity(thickness.values),
@@ -182,7 +185,7 @@ def density_behind(
         "density_flags": found.flags.astype(float),
     }
     if choices.model_spread:
-        spread = model_densities(seen, scene, choices.minimum_counts)
+        spread = model_densities(seen, scene, choices.minimum_counts, part(progress, own, 1.0))
         values |= {"density_minimum": spread.minimum, "density_maximum": spread.maximum}
     report(progress, 1.0)
     kept = {key: value for key, value in thickness.metadata.items() if key not in _NOT_MEASURED}
