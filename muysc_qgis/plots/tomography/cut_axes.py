@@ -121,19 +121,17 @@ def draw_target(frame: Frame, cut: Cut, across_m: float, up_m: float) -> None:
 
     left, right, bottom, top = cut.limits_m
     if left <= across_m <= right and bottom <= up_m <= top:
-        frame.axes.add_artist(
-            Line2D(
-                [across_m], [up_m], transform=frame.values, zorder=5, gid="target", **TARGET_MARK
-            )  # fmt: skip
-        )
+        mark = Line2D([across_m], [up_m], zorder=5, gid="target", **TARGET_MARK)
+        mark.set_transform(frame.values)
+        frame.axes.add_artist(mark)
 
 
 def write_title(frame: Frame, text: str, remark: str = "") -> None:
     """Write what a picture shows above it, and a remark below that."""
     left, bottom, _, height = frame.box
-    lines = ((text, style.HEADING_SIZE, "bold", style.INK, 0.2 if remark else 0.07),)
+    lines = [(text, style.HEADING_SIZE, "bold", style.INK, 0.2 if remark else 0.07)]
     if remark:
-        lines += ((remark, style.TICK_SIZE, "normal", style.MUTED, 0.055),)
+        lines.append((remark, style.TICK_SIZE, "normal", style.MUTED, 0.055))
     for line, size, weight, colour, above in lines:
         frame.axes.text(
             left, bottom + height + above, style.plain(line), fontsize=size, fontweight=weight,

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...topography.relief import Relief
 from ...tomography.solvers import METHODS
+from ...topography.relief import Relief
 from ...workflows.tomography_result import Place, Tomography
 from .. import style
 from ..frames import Frame, page_axes
