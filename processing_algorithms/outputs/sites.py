@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsFeature,
-    QgsFeatureSink,
-    QgsFields,
-    QgsGeometry,
-    QgsPointXY,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingParameterDefinition,
@@ -26,8 +20,9 @@ from ...muysc_qgis.muogram import read_muogram, write_muogram
 from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.workflows.simulation import Simulation
 from ...muysc_qgis.workflows.sites import StationSummary
-from ..compat import POINT, VECTOR_POINT, field
+from ..compat import VECTOR_POINT
 from ..parameters.values import explained
+from .points import Point, write_points
 from .rasters import stage_raster
 
 FOLDER, INDEX = "FOLDER", "INDEX"
@@ -144,28 +139,16 @@ def write_index(
     MuyscError
         If the sink cannot be made.
     """
-    if parameters.get(INDEX) is None:
-        return {}
-    fields = QgsFields()
-    for name in ("site", *quantities):
-        fields.append(field(name, str))
-    for name, kind in _NUMBERS.items():
-        fields.append(field(name, kind))
-    sink, identifier = algorithm.parameterAsSink(parameters, INDEX, context, fields, POINT, crs)
-    if sink is None:
-        raise MuyscError(
-            f"{INDEX} cannot be written to “{parameters.get(INDEX)}”; choose another place."
+    kinds = {**dict.fromkeys(("site", *quantities), str), **_NUMBERS}
+    points = [
+        Point(
+            summary.site.position,
+            (
+                summary.site.name,
+                *(muogram_file(summary.site.stem, quantity) for quantity in quantities),
+                *(getattr(summary, name) for name in _NUMBERS),
+            ),
         )
-    for summary in summaries:
-        feature = QgsFeature(fields)
-        feature.setGeometry(QgsGeometry.fromPointXY(QgsPointXY(*summary.site.position)))
-        files = [muogram_file(summary.site.stem, quantity) for quantity in quantities]
-        values = [known(getattr(summary, name)) for name in _NUMBERS]
-        feature.setAttributes([summary.site.name, *files, *values])
-        sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
-    return {INDEX: identifier}
-
-
-def known(value: float) -> float | None:
-    """Return a number, None where it is unknown."""
-    return None if math.isnan(value) else value
+        for summary in summaries
+    ]
+    return write_points(algorithm, INDEX, kinds, points, crs, parameters, context)

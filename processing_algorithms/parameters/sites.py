@@ -68,20 +68,16 @@ def read_sites(
         If there is no layer of points, or a field does not exist or hold numbers.
     """
     read = (algorithm, parameters)
-    source = _source(*read, context)
+    source = point_source(*read, "SITES", context)
     name_field = _field(*read, "NAME_FIELD", context, source)
     height_field = _field(*read, "HEIGHT_FIELD", context, source)
     height = read_number(*read, "DETECTOR_HEIGHT", context) or 0.0
-    crs, notes = source.sourceCrs(), []
-    if not crs.isValid():
-        crs = layer.crs()
-        notes.append(f"SITES has no coordinate reference system; {crs.authid()} was assumed.")
-    to_dem = QgsCoordinateTransform(crs, layer.crs(), context.transformContext())
+    to_dem, notes = transform_to(layer, source, "SITES", context)
     # Each point of a multipoint is a site.
     places = [
         (feature, point)
         for feature in source.getFeatures()
-        for point in _points(feature.geometry(), to_dem)
+        for point in points_of(feature.geometry(), to_dem)
     ]
     names = [_text(feature, name_field) for feature, _ in places]
     sites, lost = [], []
@@ -92,19 +88,6 @@ def read_sites(
         own = _number(feature, height_field, name or stem)
         sites.append(Site(name or stem, point, height if own is None else own, stem))
     return sites, notes, lost
-
-
-def _source(
-    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> QgsFeatureSource:
-    if not given(parameters, "SITES"):
-        raise MuyscError("SITES is missing; choose a layer of points.")
-    source = algorithm.parameterAsSource(parameters, "SITES", context)
-    if source is None:
-        raise MuyscError(f"SITES “{parameters['SITES']}” is no layer; choose a layer of points.")
-    if source.featureCount() == 0:
-        raise MuyscError(f"SITES “{source.sourceName()}” is empty; add at least one point.")
-    return source
 
 
 def _field(
@@ -148,7 +131,7 @@ def _number(feature: QgsFeature, index: int | None, name: str) -> float | None:
     return value
 
 
-def _points(
+def points_of(
     geometry: QgsGeometry, to_dem: QgsCoordinateTransform
 ) -> list[tuple[float, float] | None]:
     """Return the points of a geometry in the DEM's CRS, None for one that has no place."""
@@ -162,3 +145,37 @@ def _points(
             finite = math.isfinite(point.x()) and math.isfinite(point.y())
             points.append((point.x(), point.y()) if finite else None)
     return points or [None]
+
+
+def point_source(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> QgsFeatureSource:
+    """Return a layer of points that is not empty.
+
+    Raises
+    ------
+    MuyscError
+        If there is none.
+    """
+    if not given(parameters, name):
+        raise MuyscError(f"{name} is missing; choose a layer of points.")
+    source = algorithm.parameterAsSource(parameters, name, context)
+    if source is None:
+        raise MuyscError(f"{name} “{parameters[name]}” is no layer; choose a layer of points.")
+    if source.featureCount() == 0:
+        raise MuyscError(f"{name} “{source.sourceName()}” is empty; add at least one point.")
+    return source
+
+
+def transform_to(
+    layer: QgsRasterLayer, source: QgsFeatureSource, name: str, context: QgsProcessingContext
+) -> tuple[QgsCoordinateTransform, list[str]]:
+    """Return the way from a layer to the CRS of the DEM's layer, and what was assumed for it."""
+    crs, notes = source.sourceCrs(), []
+    if not crs.isValid():
+        crs = layer.crs()
+        notes.append(f"{name} has no coordinate reference system; {crs.authid()} was assumed.")
+    return QgsCoordinateTransform(crs, layer.crs(), context.transformContext()), notes
