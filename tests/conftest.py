@@ -1,7 +1,9 @@
-"""Shared fixtures: the library on the path, the real terrain, and a server that misbehaves."""
+"""Shared fixtures: library, terrain, a running QGIS, and a server that misbehaves."""
 
 import contextlib
 import http.server
+import importlib.util
+import os
 import sys
 import threading
 from pathlib import Path
@@ -9,13 +11,50 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
+
+#: The package name is the folder's name, whatever that is; the tests give it one.
+ALIAS = "muysc_under_test"
 
 
 @pytest.fixture(scope="session")
 def data_folder():
     return ROOT / "tests" / "data"
+
+
+@pytest.fixture(scope="session")
+def qgis_application(tmp_path_factory):
+    profile = tmp_path_factory.mktemp("profile")
+    os.environ["QGIS_CUSTOM_CONFIG_PATH"] = str(profile)
+    from qgis.core import QgsApplication
+
+    # With windows, which are drawn nowhere: there can be only one application, and the
+    # tests of the desktop need it.
+    application = QgsApplication([], True, str(profile))
+    application.initQgis()
+    sys.path.append(str(Path(application.pkgDataPath()) / "python" / "plugins"))
+    from processing.core.Processing import Processing
+
+    Processing.initialize()
+    # Not torn down by exitQgis(): Python still refers to what that would delete.
+    return application
+
+
+@pytest.fixture(scope="session")
+def provider(qgis_application):
+    spec = importlib.util.spec_from_file_location(
+        ALIAS, ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
+    )
+    package = importlib.util.module_from_spec(spec)
+    sys.modules[ALIAS] = package
+    spec.loader.exec_module(package)
+    plugin = package.classFactory(None)
+    plugin.initProcessing()
+    yield plugin.provider
+    plugin.unload()
 
 
 class TileServer:
@@ -37,8 +76,9 @@ class TileServer:
 
             def answer(self, status, content=b"", **headers):
                 self.send_response(status)
-                for name, value in {"Content-Length": len(content), **headers}.items():
-                    self.send_header(name.replace("_", "-"), str(value))
+                told = {name.replace("_", "-"): value for name, value in headers.items()}
+                for name, value in {"Content-Length": len(content), **told}.items():
+                    self.send_header(name, str(value))
                 self.end_headers()
                 # The client may have had enough.
                 with contextlib.suppress(OSError):
@@ -57,7 +97,7 @@ class TileServer:
         self._server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
         self._server.daemon_threads = True
         self.url = f"http://127.0.0.1:{self._server.server_port}"
-        self._thread = threading.Thread(target=self._server.serve_forever)
+        self._thread = threading.Thread(target=self._server.serve_forever, args=(0.01,))
         self._thread.start()
 
     def stop(self):

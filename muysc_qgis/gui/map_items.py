@@ -14,6 +14,7 @@ from qgis.core import (
     QgsProject,
 )
 from qgis.gui import QgsMapCanvas, QgsRubberBand, QgsVertexMarker
+from qgis.PyQt import sip
 from qgis.PyQt.QtGui import QColor
 
 from ..plots.style import DETECTOR, GROUND_SEEN, RAY
@@ -49,9 +50,19 @@ class MapItems:
         self._rock = _band(canvas, LINES, RAY, 255, 4)
 
     @property
-    def all(self) -> list[QgsVertexMarker | QgsRubberBand]:
-        """Every item that stands on the canvas."""
-        return [*self._markers.values(), self._wedge, self._ground, self._air, self._rock]
+    def markers(self) -> list[QgsVertexMarker]:
+        """The detector's and the target's."""
+        return [*self._markers.values()]
+
+    @property
+    def field_of_view(self) -> QgsGeometry:
+        """The sector drawn, in the map's system."""
+        return self._wedge.asGeometry()
+
+    @property
+    def ray_in_rock(self) -> QgsGeometry:
+        """The stretches drawn of a ray in rock, in the map's system."""
+        return self._rock.asGeometry()
 
     def show_place(self, role: str, place: Place | None) -> None:
         """Move the marker of the detector or the target, or hide it."""
@@ -102,8 +113,9 @@ class MapItems:
 
     def remove(self) -> None:
         """Take everything off the canvas for good."""
-        for item in self.all:
-            self._canvas.scene().removeItem(item)
+        for item in (*self.markers, self._wedge, self._ground, self._air, self._rock):
+            # Now, and not when Python comes across them, perhaps in another thread.
+            sip.delete(item)
 
     def _draw_ray(self, band: QgsRubberBand, section: RaySection, parts: np.ndarray) -> None:
         for start, end in parts:

@@ -41,7 +41,8 @@ class MuogramView(QWidget):
         self._scene: Scene | None = None
         self._layout: Layout | None = None
         self._marked: tuple[int, int] | None = None
-        self._reason = ""
+        #: Why there is no muogram.
+        self.reason = ""
 
     @property
     def scene(self) -> Scene | None:
@@ -58,7 +59,7 @@ class MuogramView(QWidget):
 
     def show_reason(self, reason: str) -> None:
         """Show a sentence in place of a muogram."""
-        self._scene, self._layout, self._marked, self._reason = None, None, None, reason
+        self._scene, self._layout, self._marked, self.reason = None, None, None, reason
         self.unsetCursor()
         self.update()
 
@@ -114,7 +115,7 @@ class MuogramView(QWidget):
         if self._scene is None:
             painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
             flags = int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap)
-            painter.drawText(room.adjusted(12, 12, -12, -12), flags, self._reason)
+            painter.drawText(room.adjusted(12, 12, -12, -12), flags, self.reason)
         else:
             self._layout = paint(painter, room, self._scene, self.palette(), self._marked)
         painter.end()

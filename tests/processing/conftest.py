@@ -1,47 +1,6 @@
-"""A running QGIS without a window, and the plugin loaded as QGIS loads it."""
-
-import importlib.util
-import os
-import sys
-from pathlib import Path
+"""Running algorithms as a script would, and what they say."""
 
 import pytest
-
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-
-ROOT = Path(__file__).resolve().parent.parent.parent
-#: The package name is the folder's name, whatever that is; the tests give it one.
-ALIAS = "muysc_under_test"
-
-
-@pytest.fixture(scope="session")
-def qgis_application(tmp_path_factory):
-    profile = tmp_path_factory.mktemp("profile")
-    os.environ["QGIS_CUSTOM_CONFIG_PATH"] = str(profile)
-    from qgis.core import QgsApplication
-
-    application = QgsApplication([], False, str(profile))
-    application.initQgis()
-    sys.path.append(str(Path(application.pkgDataPath()) / "python" / "plugins"))
-    from processing.core.Processing import Processing
-
-    Processing.initialize()
-    # Not torn down by exitQgis(): Python still refers to what that would delete.
-    return application
-
-
-@pytest.fixture(scope="session")
-def provider(qgis_application):
-    spec = importlib.util.spec_from_file_location(
-        ALIAS, ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
-    )
-    package = importlib.util.module_from_spec(spec)
-    sys.modules[ALIAS] = package
-    spec.loader.exec_module(package)
-    plugin = package.classFactory(None)
-    plugin.initProcessing()
-    yield plugin.provider
-    plugin.unload()
 
 
 @pytest.fixture
