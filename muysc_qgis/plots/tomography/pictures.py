@@ -70,15 +70,22 @@ def slices(volume: Volume, coverage: Volume, place: Place) -> list[Picture]:
 
 
 def middle_place(tomography: Tomography) -> Place:
-    """Return where slices run: through the target, or the middle of the volume without one."""
+    """Return where slices run: through the target, or the middle of the volume without one.
+
+    The level slice is the one that the raster shows first, as a target may be where no ray is.
+    """
     grid, target = tomography.grid, tomography.target
     middle = [0.5 * (low + high) for low, high in zip(grid.origin_m, grid.end_m)]
-    wanted = middle if target is None else [target.x, target.y, target.z]
+    wanted = middle[:2] if target is None else [target.x, target.y]
     # Of a target beyond the volume, the outermost slices are the nearest.
-    x, y, z = (
+    x, y = (
         float(np.clip(value, low + size / 2, high - size / 2))
         for value, low, high, size in zip(wanted, grid.origin_m, grid.end_m, grid.size_m)
     )
+    level = tomography.shown_level
+    z = float(grid.centres_m(2)[level])
+    if target is not None and abs(target.z - z) <= grid.size_m[2] / 2:
+        z = target.z
     return Place("middle" if target is None else target.name, x, y, z)
 
 

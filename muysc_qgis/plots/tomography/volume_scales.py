@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...quantities import QUANTITIES
 from ...volume import VOLUME_QUANTITIES
 from .. import ticks
 from ..colours import colour_map, colour_scale
@@ -35,15 +36,30 @@ def diverging(values: np.ndarray, middle: float, least: float = _LEAST_SPREAD) -
     least
         Least half width.
     """
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
     apart = np.abs(values[np.isfinite(values)] - middle)
     most = float(np.percentile(apart, _SHOWN_PERCENT)) if apart.size else 0.0
     # Rounded up to a tenth of its decade, so that the ends are round numbers.
     step = ticks.round_step(max(most, least), 10)
     half = step * np.ceil(max(most, least) / step)
-    return ScalarMappable(Normalize(middle - half, middle + half), _DIVERGING)
+    return between(middle - half, middle + half)
+
+
+def between(low: float, high: float) -> ScalarMappable:
+    """Return a scale that is white in the middle between two limits."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    return ScalarMappable(Normalize(low, high), _DIVERGING)
+
+
+def lengths(values: np.ndarray) -> ScalarMappable:
+    """Return a scale from 0 to the largest value, in the colours of rock thickness."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    known = values[np.isfinite(values)]
+    most = float(known.max()) if known.size else 0.0
+    return ScalarMappable(Normalize(0.0, most or 1.0), colour_map(QUANTITIES["thickness"]))
 
 
 def counted(values: np.ndarray) -> ScalarMappable:

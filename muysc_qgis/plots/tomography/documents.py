@@ -1,0 +1,238 @@
+"""Panels and reports of tomographies: what is drawn and told, in which order."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...tomography.solvers import METHODS
+from ...topography.dem import Dem
+from ...topography.relief import Relief, relief_on_map
+from ...volume import Volume
+from ...workflows.tomography_result import Tomography
+from ..documents import Parameter, own_versions
+from ..report import OutputFile, PixelCount, Report, ReportFigure, Row
+from ..style import png_bytes
+from .convergence import convergence_figure
+from .known_model_panel import known_model_panel, paper_errors
+from .section_picture import section_figure
+from .slice_map import map_bounds
+from .tomography_panel import tomography_panel
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["Told", "known_model_panel", "known_model_report", "panel", "report", "terrain"]
+
+#: Resolution (dots per inch) of figures in the report, read on screens.
+_REPORT_DPI = 110
+
+
+@dataclass(frozen=True)
+class Told:
+    """What the report of any run tells besides its results."""
+
+    parameters: Sequence[Parameter]
+    #: File by label.
+    outputs: Mapping[str, str]
+    date: str
+    #: Versions of other software by name.
+    versions: Mapping[str, str]
+
+
+def terrain(tomography: Tomography, dem: Dem) -> Relief:
+    """Return the terrain of the map around a volume and its stations.
+
+    Raises
+    ------
+    MuyscError
+        If the DEM cannot be read.
+    """
+    from pyproj import CRS
+
+    west, east, south, north = map_bounds(tomography)
+    crs = CRS.from_wkt(tomography.density.crs)
+    return relief_on_map(dem, crs, (west, east), (south, north))
+
+
+def panel(tomography: Tomography, dem: Dem) -> Figure:
+    """Draw the panel of a tomography.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing or the DEM cannot be read.
+    """
+    return tomography_panel(tomography, terrain(tomography, dem))
+
+
+def report(
+    tomography: Tomography,
+    dem: Dem,
+    told: Told,
+    *,
+    warnings: Sequence[str] = (),
+    discrepancy: float = 1.0,
+    line_m: Sequence[tuple[float, float]] | None = None,
+) -> Report:
+    """Gather everything that the report of a tomography tells.
+
+    Parameters
+    ----------
+    tomography, dem
+        What was computed, and the terrain.
+    told
+        Parameters, files and versions.
+    warnings
+        What the data said before, a sentence each.
+    discrepancy
+        Multiple of the errors at which fitting was to end; 0 for never.
+    line_m
+        Corners of a line in the CRS of the volume along which a section is drawn.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing or the DEM cannot be read.
+    """
+    relief = terrain(tomography, dem)
+    drawn = [_panel_figure(tomography, relief), _convergence(tomography, discrepancy)]
+    if line_m is not None:
+        drawn.append(
+            ReportFigure(
+                "Vertical section through the densities along the line.",
+                png_bytes(section_figure(tomography, line_m, relief), _REPORT_DPI),
+                "Vertical section along the line",
+            )
+        )
+    return _report("Muon tomography", tomography, dem, drawn, _results(tomography), told, warnings)
+
+
+def known_model_report(
+    tomography: Tomography,
+    truth: Volume,
+    dem: Dem,
+    told: Told,
+    *,
+    figures_of_merit: Sequence[Row] = (),
+    warnings: Sequence[str] = (),
+    discrepancy: float = 1.0,
+) -> Report:
+    """Gather everything that the report of a reconstruction test tells.
+
+    Parameters
+    ----------
+    tomography, truth, dem
+        What was reconstructed, what was to be found, and the terrain.
+    told
+        Parameters, files and versions.
+    figures_of_merit
+        How near both are, by other measures than the paper's.
+    warnings
+        A sentence each.
+    discrepancy
+        Multiple of the errors at which fitting was to end; 0 for never.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing, the models do not fit or the DEM cannot be read.
+    """
+    drawn = [
+        ReportFigure(
+            "Original, reconstruction and their difference: sums along the three axes with the "
+            "mean and the standard deviation σ of |ε|, and slices through the target.",
+            png_bytes(known_model_panel(tomography, truth), _REPORT_DPI),
+            "Original, reconstruction and error in views and slices",
+            is_panel=True,
+        ),
+        _panel_figure(tomography, terrain(tomography, dem), is_panel=False),
+        _convergence(tomography, discrepancy),
+    ]
+    rows = [*figures_of_merit]
+    for name, error in paper_errors(tomography, truth).items():
+        unit = "" if name == "top" else "km"
+        what = f"{name.capitalize()} view{', normalised' if name == 'top' else ''}"
+        rows.append(Row(f"{what}: mean |ε|", round(error.mean, 4), unit))
+        rows.append(Row(f"{what}: standard deviation of |ε|", round(error.deviation, 4), unit))
+    rows += _results(tomography)
+    return _report("Reconstruction of a known model", tomography, dem, drawn, rows, told, warnings)
+
+
+def _panel_figure(tomography: Tomography, relief: Relief, is_panel: bool = True) -> ReportFigure:
+    caption = (
+        "Densities at the height of the target and in two sections through it, mean densities and "
+        "rays per voxel along three directions"
+    )
+    if tomography.deviation is not None:
+        caption += ", and the standard errors of the densities"
+    return ReportFigure(
+        f"{caption}. White stands for the reference density.",
+        png_bytes(tomography_panel(tomography, relief), _REPORT_DPI if not is_panel else 130),
+        "Slices, sections and views of the densities",
+        is_panel=is_panel,
+    )
+
+
+def _convergence(tomography: Tomography, discrepancy: float) -> ReportFigure:
+    return ReportFigure(
+        "Misfit between data and model by iteration, and what is left of every station's data.",
+        png_bytes(convergence_figure(tomography, discrepancy), _REPORT_DPI),
+        "Misfit by iteration and by station",
+    )
+
+
+def _report(
+    title: str,
+    tomography: Tomography,
+    dem: Dem,
+    drawn: Sequence[ReportFigure],
+    rows: Sequence[Row],
+    told: Told,
+    warnings: Sequence[str],
+) -> Report:
+    lost = tomography.lost
+    pixels = [PixelCount("Used", tomography.rays, "rays through rock of the volume")]
+    pixels += [PixelCount("Not used", count, cause) for cause, count in lost.items() if count]
+    return Report(
+        title=title,
+        subtitle=f"{METHODS[tomography.method].title} from {len(tomography.stations)} stations on "
+        f"the elevation model {dem.name}",
+        date=told.date,
+        figures=drawn,
+        results=rows,
+        parameters=[Row(one.label, one.value, one.unit) for one in told.parameters],
+        pixels=pixels,
+        pixel_total=tomography.rays + sum(lost.values()),
+        warnings=[*warnings, *tomography.warnings],
+        outputs=[OutputFile(label, Path(path).name) for label, path in told.outputs.items()],
+        versions={**own_versions(), **told.versions},
+    )
+
+
+def _results(tomography: Tomography) -> list[Row]:
+    grid, found = tomography.grid, tomography.reconstruction
+    density = tomography.density.values[tomography.density.known]
+    rows = [
+        Row("Voxels", " × ".join(map(str, grid.shape))),
+        Row("Edges of a voxel", " × ".join(f"{size:g}" for size in grid.size_m), "m"),
+        Row("Base of the volume", round(grid.origin_m[2], 2), "m"),
+        Row("Top of the volume", round(grid.end_m[2], 2), "m"),
+        Row("Voxels with rock", tomography.rock_voxels),
+        Row("Voxels with rock that no ray crosses", tomography.unseen_voxels),
+        Row("Rays used", tomography.rays),
+        Row("Iterations", found.iterations_done),
+        Row("Reference density", round(tomography.reference_density, 4), "g/cm³"),
+        Row("Mean density", round(tomography.mean_density, 4), "g/cm³"),
+        Row("Smallest density", round(float(density.min()), 4), "g/cm³"),
+        Row("Largest density", round(float(density.max()), 4), "g/cm³"),
+        Row("Relative residual", round(100 * tomography.relative_residual, 3), "%"),
+    ]
+    if np.isfinite(tomography.chi_squared):
+        label = "Mean square of residuals over their errors"
+        rows.append(Row(label, round(tomography.chi_squared, 4)))
+    return rows
