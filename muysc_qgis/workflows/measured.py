@@ -125,6 +125,7 @@ def _known(value: float | None, view: View, key: str, name: str) -> float:
         return value
     if key not in view.metadata:
         raise MuyscError(
-            f"The {name} is neither given nor in the counts' metadata (key {key}); give it."
+            f"The {name} is neither given nor in the counts' metadata (key {key}); give it here, "
+            "or when the counts are imported."
         )
     return metadata_number(view, key)
