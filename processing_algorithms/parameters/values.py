@@ -139,6 +139,30 @@ def read_count(
     return int(value)
 
 
+def read_within(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> float | None:
+    """Return a number within the limits of its parameter, None where an optional one is empty.
+
+    QGIS refuses what is outside without telling the limits; the parameter's help has them.
+
+    Raises
+    ------
+    MuyscError
+        If the value is no number within the limits, or no whole one where it must be.
+    """
+    definition = algorithm.parameterDefinition(name)
+    whole = definition.dataType() == QgsProcessingParameterNumber.Type.Integer
+    value = (read_count if whole else read_number)(algorithm, parameters, name, context)
+    if value is not None and not definition.minimum() <= value <= definition.maximum():
+        remedy = definition.help().partition(". ")[0].rstrip(".")
+        raise MuyscError(f"{name} is {value:g}; {remedy[0].lower()}{remedy[1:]}.")
+    return value
+
+
 def read_choice(
     algorithm: QgsProcessingAlgorithm,
     parameters: dict[str, Any],
