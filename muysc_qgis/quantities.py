@@ -28,6 +28,12 @@ COLOUR_STOPS = {
         "#0d0887", "#4c02a1", "#7e03a8", "#aa2395", "#cc4778",
         "#e66c5c", "#f89540", "#fdc527", "#f0f921",
     ),
+    # About a middle: Brewer's RdBu with its ends (Harrower & Brewer 2003,
+    # doi:10.1179/000870403235002042).
+    "blue_red": (
+        "#053061", "#2166ac", "#4393c3", "#92c5de", "#d1e5f0", "#f7f7f7",
+        "#fddbc7", "#f4a582", "#d6604d", "#b2182b", "#67001f",
+    ),
 }  # fmt: skip
 
 
@@ -88,5 +94,9 @@ QUANTITIES = {
         Quantity("relative_error", "Counting error", "%", "viridis", True),
         Quantity("density_resolution", "Smallest visible density contrast", "%", "viridis", True),
         Quantity("contrast_days", "Days to see the density contrast", "days", "plasma", True),
+        # Of places for telescopes, on the map.
+        Quantity("site_score", "Score of the site", "1", "viridis", False),
+        Quantity("share_seen", "Share of the target seen", "1", "viridis", False),
+        Quantity("free_sky", "Share of free sky", "1", "cividis", False),
     )
 }

@@ -20,7 +20,10 @@ from ..muysc_qgis.workflows.tomography import TomographyChoices, projection_of, 
 from ..muysc_qgis.workflows.tomography_result import Tomography
 from ..muysc_qgis.workflows.volume_plan import VolumePlan
 from .base import MuyscAlgorithm, progress_of
-from .outputs.volume import stage_volumes, volume_outputs, write_points
+from .outputs.documents import document_outputs, stage_drawn
+from .outputs.rasters import wanted
+from .outputs.section import Line, read_line, section_line, section_output, stage_section
+from .outputs.volume import stage_volumes, volume_outputs, write_voxels
 from .parameters.muograms import muogram_layers, read_view_layers
 from .parameters.reconstruction import read_reconstruction, reconstruction_parameters
 from .parameters.terrain import dem_parameters, read_dem
@@ -39,6 +42,7 @@ class _Inputs:
     crs: CRS
     plan: VolumePlan
     choices: TomographyChoices
+    line: Line | None
 
 
 class TomographyAlgorithm(MuyscAlgorithm):
@@ -67,7 +71,10 @@ class TomographyAlgorithm(MuyscAlgorithm):
             *dem_parameters(),
             *volume_parameters(),
             *reconstruction_parameters(),
+            section_line(),
             *volume_outputs(),
+            section_output(),
+            *_documents(),
         ]  # fmt: skip
 
     def declare_outputs(self) -> None:
@@ -85,7 +92,7 @@ class TomographyAlgorithm(MuyscAlgorithm):
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         read = (self, parameters)
-        choices = read_reconstruction(*read, context)
+        choices = read_reconstruction(*read, context, wanted(parameters, "DENSITY_ERROR"))
         dem, _ = read_dem(*read, context)
         muograms = read_view_layers(*read, "MUOGRAMS", context)
         errors = read_view_layers(*read, "ERRORS", context)
@@ -99,6 +106,7 @@ class TomographyAlgorithm(MuyscAlgorithm):
             crs,
             read_plan(*read, context, crs),
             choices,
+            read_line(*read, context, crs.to_wkt()),
         )
 
     def compute(
@@ -126,9 +134,45 @@ class TomographyAlgorithm(MuyscAlgorithm):
             progress_of(feedback, 0.2, 0.9),
         )
         _say(feedback, result, data.warnings)
-        results = stage_volumes(self, result, parameters, context, staging, inputs.paths)
-        results |= write_points(self, result, parameters, context)
+        files = (parameters, context)
+        staged = (staging, inputs.paths)
+        results = stage_volumes(self, result, *files, *staged)
+        results |= stage_section(self, result, inputs.dem, inputs.line, *files, feedback, *staged)
+
+        def panel() -> Any:
+            from ..muysc_qgis.plots.tomography import documents
+
+            return documents.panel(result, inputs.dem)
+
+        def report(*told: Any) -> Any:
+            from ..muysc_qgis.plots.tomography import documents
+
+            return documents.report(
+                result,
+                inputs.dem,
+                documents.Told(*told),
+                warnings=data.warnings,
+                discrepancy=inputs.choices.options.discrepancy,
+                line_m=inputs.line,
+            )
+
+        results |= stage_drawn(self, panel, report, results, *files, feedback, *staged)
+        results |= write_voxels(self, result, *files)
         return results | _numbers(result)
+
+
+def _documents() -> list[QgsProcessingParameterDefinition]:
+    """Declare panel and report of a volume."""
+    panel, report = document_outputs()
+    panel.setHelp(
+        "Picture of slices and sections through the target, views from the top, the front and the "
+        "side, and the rays per voxel, with a map of the stations."
+    )
+    report.setHelp(
+        "One HTML file with the panel, the misfit by iteration and station, parameters, numbers, "
+        "every warning and how to cite."
+    )
+    return [panel, report]
 
 
 def _say(feedback: QgsProcessingFeedback, result: Tomography, warnings: tuple[str, ...]) -> None:

@@ -57,7 +57,7 @@ class TomographyChoices:
     """
 
     #: Key of `tomography.solvers.METHODS`.
-    method: str = "tv"
+    method: str = "bayes"
     options: Options = field(default_factory=Options)
     #: Density (g/cm³) of the rock outside the volume and of the start; None for the mean that the
     #: data say.
@@ -203,6 +203,11 @@ def reconstruct_volume(
         part(progress, _BUILT, 1.0),
     )  # fmt: skip
     report(progress, 1.0)
+    if found.stopped_by == "discrepancy" and not found.iterations_done:
+        warnings.append(
+            f"One density of {reference:.4g} g/cm³ explains the data within their errors, so that "
+            f"{choices.method} had nothing to do; give smaller errors if they are known."
+        )
     return result_of(lines, choices.method, system, found, reference, lost, (*warnings, *more))
 
 
@@ -291,6 +296,11 @@ def _warnings(lines: Sightlines, used: np.ndarray, choices: TomographyChoices) -
         warnings.append(
             f"{', '.join(without)}: no ray of known opacity crosses the rock of the volume, so "
             "this says nothing about it; choose a larger extent or leave it out."
+        )
+    if choices.method == "bayes" and not choices.mask:
+        warnings.append(
+            "The prior of bayes expects rock of the reference density where there is air; with "
+            "air among the unknowns choose another method, such as sirt."
         )
     share = 1 - lines.inside_m[used].sum() / lines.thickness_m[used].sum()
     if share > 0.5:

@@ -129,6 +129,32 @@ def projection_for(dem: Dem, longitude: float, latitude: float) -> CRS:
     return utm_zone(longitude, latitude)
 
 
+def chosen_projection(definition: str, name: str) -> CRS:
+    """Return a projection in metres that a user chose.
+
+    Parameters
+    ----------
+    definition
+        In any form that `pyproj.CRS` takes.
+    name
+        What the user calls it.
+
+    Raises
+    ------
+    MuyscError
+        If it is none.
+    """
+    from pyproj import CRS
+
+    crs = CRS.from_user_input(definition)
+    if not crs.is_projected or any(axis.unit_conversion_factor != 1 for axis in crs.axis_info[:2]):
+        raise MuyscError(
+            f"The coordinate reference system {name} ({crs.name}) is no projection in metres, "
+            "which voxels need; choose a projected one such as a UTM zone, or leave it empty."
+        )
+    return crs
+
+
 def utm_zone(longitude: float, latitude: float) -> CRS:
     """Return the UTM zone on WGS 84 of a position."""
     from pyproj import CRS

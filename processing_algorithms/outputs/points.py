@@ -13,20 +13,21 @@ from qgis.core import (
     QgsFeatureSink,
     QgsFields,
     QgsGeometry,
-    QgsPointXY,
+    QgsPoint,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
 )
 
 from ...muysc_qgis.errors import MuyscError
-from ..compat import POINT, field
+from ..compat import POINT, POINT_Z, field
 
 
 @dataclass(frozen=True)
 class Point:
     """A place and what is known of it, in the order of the fields."""
 
-    position: tuple[float, float]
+    #: x and y, and the height where the layer has heights.
+    position: tuple[float, ...]
     values: tuple[Any, ...]
 
 
@@ -38,6 +39,7 @@ def write_points(
     crs: QgsCoordinateReferenceSystem,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    has_heights: bool = False,
 ) -> dict[str, str]:
     """Write a layer if it is wanted; called last, because a sink cannot be staged.
 
@@ -53,6 +55,8 @@ def write_points(
         What to write.
     crs
         Of the positions.
+    has_heights
+        Whether the points have heights.
 
     Returns
     -------
@@ -69,14 +73,15 @@ def write_points(
     fields = QgsFields()
     for name, kind in kinds.items():
         fields.append(field(name, kind))
-    sink, identifier = algorithm.parameterAsSink(parameters, output, context, fields, POINT, crs)
+    kind = POINT_Z if has_heights else POINT
+    sink, identifier = algorithm.parameterAsSink(parameters, output, context, fields, kind, crs)
     if sink is None:
         raise MuyscError(
             f"{output} cannot be written to “{parameters[output]}”; choose another place."
         )
     for point in points:
         feature = QgsFeature(fields)
-        feature.setGeometry(QgsGeometry.fromPointXY(QgsPointXY(*point.position)))
+        feature.setGeometry(QgsGeometry(QgsPoint(*point.position)))
         feature.setAttributes([_known(value) for value in point.values])
         sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
     return {output: identifier}

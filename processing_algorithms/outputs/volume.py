@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
-import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsFeature,
-    QgsFeatureSink,
-    QgsFields,
-    QgsGeometry,
-    QgsPoint,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingParameterDefinition,
@@ -23,8 +18,9 @@ from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.volume import VOLUME_QUANTITIES, Volume, write_volume
 from ...muysc_qgis.workflows.tomography_result import Tomography
-from ..compat import POINT_Z, VECTOR_POINT, field
+from ..compat import VECTOR_POINT
 from ..parameters.values import explained
+from .points import Point, write_points
 from .rasters import destination, stage_raster
 from .tables import stage_table, table_destination, table_layer
 
@@ -97,11 +93,13 @@ def stage_volumes(
                 f"{output} is asked for, and {result.method} tells no errors of {result.rays} "
                 "rays; use bayes, with draws for the error (POSTERIOR_SAMPLES) beyond 2000 rays."
             )
+        kind, limits = volume.kind, None
+        if output == "DENSITY":
+            # As panel and report draw it: about the reference density.
+            kind, limits = replace(kind, colours="blue_red"), result.density_limits
         temporary = stage_raster(
-            staging, path, inputs, context, volume.values, volume.kind,
-            band=result.shown_level + 1,
-            limits=result.density_limits if output == "DENSITY" else None,
-            elevations=volume.grid.edges_m(2),
+            staging, path, inputs, context, volume.values, kind,
+            band=result.shown_level + 1, limits=limits, elevations=volume.grid.edges_m(2),
         )  # fmt: skip
         write_volume(volume, temporary)
         results[output] = path
@@ -116,7 +114,7 @@ def stage_volumes(
     return results
 
 
-def write_points(
+def write_voxels(
     algorithm: QgsProcessingAlgorithm,
     result: Tomography,
     parameters: dict[str, Any],
@@ -129,27 +127,18 @@ def write_points(
     MuyscError
         If the sink cannot be made.
     """
-    if parameters.get(POINTS) in (None, ""):
-        return {}
-    fields = QgsFields()
-    values = {"density": result.density.values, "rays": result.coverage.values}
-    if result.deviation is not None:
-        values["density_error"] = result.deviation.values
-    for name in values:
-        fields.append(field(name, int if name == "rays" else float))
-    crs = QgsCoordinateReferenceSystem.fromWkt(result.density.crs)
-    sink, identifier = algorithm.parameterAsSink(parameters, POINTS, context, fields, POINT_Z, crs)
-    if sink is None:
-        raise MuyscError(
-            f"{POINTS} cannot be written to “{parameters[POINTS]}”; choose another place."
-        )
     known = result.density.known.ravel()
-    centres = result.grid.all_centres_m()[known]
-    columns = [array.ravel()[known] for array in values.values()]
-    kinds = [int if name == "rays" else float for name in values]
-    for place, *row in zip(centres.tolist(), *(np.asarray(column).tolist() for column in columns)):
-        feature = QgsFeature(fields)
-        feature.setGeometry(QgsGeometry(QgsPoint(*place)))
-        feature.setAttributes([kind(value) for kind, value in zip(kinds, row)])
-        sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
-    return {POINTS: identifier}
+    kinds = {"density": float, "rays": int}
+    columns = [result.density.values.ravel()[known].tolist()]
+    columns.append(result.coverage.values.ravel()[known].astype(int).tolist())
+    if result.deviation is not None:
+        kinds["density_error"] = float
+        columns.append(result.deviation.values.ravel()[known].tolist())
+    points = (
+        Point(tuple(place), values)
+        for place, values in zip(result.grid.all_centres_m()[known].tolist(), zip(*columns))
+    )
+    crs = QgsCoordinateReferenceSystem.fromWkt(result.density.crs)
+    return write_points(
+        algorithm, POINTS, kinds, points, crs, parameters, context, has_heights=True
+    )

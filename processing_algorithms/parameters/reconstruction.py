@@ -96,7 +96,7 @@ def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
             "PRIOR_DEVIATION", "Standard deviation of the prior (g/cm³)",
             "Give how far densities are from the reference before any muon, in g/cm³, above 0; "
             "for bayes.",
-            0.3, 0, advanced=True,
+            0.2, 0, advanced=True,
         ),
         number(
             "CORRELATION_LENGTH", "Correlation length of the prior (m)",
@@ -105,9 +105,9 @@ def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
         ),
         number(
             "POSTERIOR_SAMPLES", "Draws for the error of the density",
-            "Give how often bayes solves for drawn data to find the error of the density, 0 or "
-            "more; 0 leaves it out where there are more than 2000 rays.",
-            0, 0, advanced=True, whole=True,
+            "Give how often bayes solves for drawn data, 1 or more, where the error of the density "
+            "is wanted from more than 2000 rays; n draws tell it to 71/√n %.",
+            10, 1, advanced=True, whole=True,
         ),
     ]  # fmt: skip
 
@@ -116,8 +116,9 @@ def read_reconstruction(
     algorithm: QgsProcessingAlgorithm,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    errors_wanted: bool = False,
 ) -> TomographyChoices:
-    """Return how densities are to be found.
+    """Return how densities, and their errors if wanted, are to be found.
 
     Raises
     ------
@@ -146,7 +147,7 @@ def read_reconstruction(
         edge_density=number_of("EDGE_DENSITY") or 0.0,
         prior_deviation=number_of("PRIOR_DEVIATION") or 0.0,
         correlation_length_m=number_of("CORRELATION_LENGTH") or 0.0,
-        posterior_samples=count_of("POSTERIOR_SAMPLES") or 0,
+        posterior_samples=read_count(*read, "POSTERIOR_SAMPLES", context) if errors_wanted else 0,
     )
     return TomographyChoices(
         method=read_choice(*read, "METHOD", context),

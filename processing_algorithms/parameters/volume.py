@@ -14,6 +14,7 @@ from qgis.core import (
 )
 
 from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.workflows.volume_frame import chosen_projection
 from ...muysc_qgis.workflows.volume_plan import VOXELS, VolumePlan
 from .values import explained, given, number, read_count, read_number, switch
 
@@ -89,22 +90,15 @@ def read_crs(
     """
     if not given(parameters, "CRS"):
         return None
-    from pyproj import CRS
-
     asked: QgsCoordinateReferenceSystem = algorithm.parameterAsCrs(parameters, "CRS", context)
     if not asked.isValid():
         raise MuyscError(
             f"CRS is “{parameters['CRS']}”, which is no coordinate reference system; write "
             "EPSG:code, or leave it empty."
         )
-    crs = CRS.from_user_input(asked.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT2_2018))
-    metres = all(axis.unit_conversion_factor == 1 for axis in crs.axis_info[:2])
-    if not crs.is_projected or not metres:
-        raise MuyscError(
-            f"CRS {asked.authid()} ({crs.name}) is no projection in metres, which voxels need; "
-            "choose a projected one such as a UTM zone, or leave it empty."
-        )
-    return crs
+    return chosen_projection(
+        asked.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT2_2018), asked.authid()
+    )
 
 
 def read_plan(
