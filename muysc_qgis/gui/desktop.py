@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
 _MENU = "MUYSC"
 
+#: Name of the dock of Processing.
+_TOOLBOX = "ProcessingToolbox"
+
 
 class Desktop:
     """The toolbar button, the menu entry and the dock that they open."""
@@ -40,7 +43,9 @@ class Desktop:
 
             self.dock = PlanningDock(self._iface, self._iface.mainWindow())
             self.dock.openedStateChanged.connect(self.action.setChecked)
-            self._iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.dock)
+            # Behind the toolbox the dock has the whole height of the window.
+            area = Qt.DockWidgetArea.RightDockWidgetArea
+            self._iface.addTabifiedDockWidget(area, self.dock, [_TOOLBOX], True)
         self.dock.setUserVisible(shown)
 
     def remove(self) -> None:

@@ -159,10 +159,10 @@ class Planner(QObject):
             self._canvas.setMapTool(self.tools["target"])
 
     def _suggest_terrain(self) -> None:
-        """Take the only raster of the project, where none is chosen."""
+        """Take the only raster file of the project, where none is chosen."""
         layers = QgsProject.instance().mapLayers().values()
         rasters = [one for one in layers if isinstance(one, QgsRasterLayer)]
-        if self.layer is None and len(rasters) == 1:
+        if self.layer is None and len({one.source() for one in rasters}) == 1:
             self.plan = replace(self.plan, dem=rasters[0].id())
             self.plan_changed.emit(self.plan)
 

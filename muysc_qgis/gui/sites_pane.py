@@ -43,7 +43,8 @@ class SitesPane(QWidget):
     ) -> None:
         super().__init__(parent)
         self._planner, self._canvas = planner, canvas
-        self._sites: list[Site] = []
+        #: The sites in the order of the rows.
+        self.listed: list[Site] = []
         self.comparison = Comparison(self)
         self.comparison.answered.connect(self._show_figures)
         self.table = _table()
@@ -93,7 +94,7 @@ class SitesPane(QWidget):
         if place is None:
             return
         layer = sites.find_layer() or sites.make_layer(self._canvas.mapSettings().destinationCrs())
-        taken = {site.name for site in self._sites}
+        taken = {site.name for site in self.listed}
         number = next(n for n in range(1, len(taken) + 2) if _numbered(n) not in taken)
         self._change(lambda: sites.add_site(layer, _numbered(number), place, height))
 
@@ -121,7 +122,7 @@ class SitesPane(QWidget):
         """Show the sites that the layer holds now."""
         layer = sites.find_layer()
         self._watch(layer)
-        self._sites = [] if layer is None else sites.sites_of(layer)
+        self.listed = [] if layer is None else sites.sites_of(layer)
         self._show_sites()
         self._compare()
 
@@ -155,27 +156,27 @@ class SitesPane(QWidget):
 
     def _rename(self, item: QTableWidgetItem) -> None:
         layer, name = sites.find_layer(), item.text().strip()
-        site = self._sites[item.row()]
+        site = self.listed[item.row()]
         if item.column() == 0 and layer is not None and name and name != site.name:
             self._change(lambda: sites.rename_site(layer, site.identifier, name))
 
     def _chosen(self) -> list[Site]:
         rows = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
-        return [self._sites[row] for row in rows]
+        return [self.listed[row] for row in rows]
 
     def _compare(self, *_: object) -> None:
         preview = self._planner.preview
         if preview is None or not preview.coarse:
             self._show_figures()
             if self._planner.can_compare:
-                self.comparison.compare(self._planner.plan, self._sites)
+                self.comparison.compare(self._planner.plan, self.listed)
             else:
                 self.comparison.stop()
 
     def _show_sites(self) -> None:
         self.table.blockSignals(True)
-        self.table.setRowCount(len(self._sites))
-        for row, site in enumerate(self._sites):
+        self.table.setRowCount(len(self.listed))
+        for row, site in enumerate(self.listed):
             for column in range(len(_COLUMNS)):
                 self.table.setItem(row, column, _item("", editable=column == 0))
             self.table.item(row, 0).setText(site.name)
@@ -185,10 +186,10 @@ class SitesPane(QWidget):
     def _show_figures(self) -> None:
         plan = self._planner.plan
         self.table.blockSignals(True)
-        for row, site in enumerate(self._sites):
+        for row, site in enumerate(self.listed):
             figures = self.comparison.figures(plan, site)
             problem = self.comparison.problem(plan, site)
-            for column, text in enumerate(_row(figures), start=1):
+            for column, text in enumerate(_row(figures, bool(problem)), start=1):
                 self.table.item(row, column).setText(text)
             for column in range(len(_COLUMNS)):
                 self.table.item(row, column).setToolTip(problem or _details(figures))
@@ -197,10 +198,10 @@ class SitesPane(QWidget):
 
     def _note(self) -> str:
         """Return what the columns mean, or what to do first."""
-        if not self._sites:
+        if not self.listed:
             return tr("Pick a detector and add it here to compare places.")
-        problems = [self.comparison.problem(self._planner.plan, site) for site in self._sites]
-        failed = [f"{site.name}: {why}" for site, why in zip(self._sites, problems) if why]
+        problems = [self.comparison.problem(self._planner.plan, site) for site in self.listed]
+        failed = [f"{site.name}: {why}" for site, why in zip(self.listed, problems) if why]
         muons = rounded(self._planner.plan.muons)
         meaning = tr("Days: until the pixel towards the target has {muons} muons.")
         return "\n".join([meaning.format(muons=muons), *failed])
@@ -215,9 +216,9 @@ def _numbered(number: int) -> str:
     return tr("Site {number}").format(number=number)
 
 
-def _row(figures: SiteFigures | None) -> tuple[str, ...]:
+def _row(figures: SiteFigures | None, failed: bool) -> tuple[str, ...]:
     if figures is None:
-        return ("…",) * (len(_COLUMNS) - 1)
+        return ("–" if failed else "…",) * (len(_COLUMNS) - 1)
     return (
         bare_metres(figures.target_distance_m),
         bare_metres(figures.maximum_thickness_m),

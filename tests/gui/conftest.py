@@ -50,7 +50,7 @@ def iface(qgis_application, project):
         removeToolBarIcon=toolbar.removeAction,
         addPluginToMenu=lambda name, action: menu.append(action),
         removePluginMenu=lambda name, action: menu.remove(action),
-        addDockWidget=window.addDockWidget,
+        addTabifiedDockWidget=lambda area, dock, *beside: window.addDockWidget(area, dock),
         removeDockWidget=window.removeDockWidget,
         toolbar=toolbar,
         menu=menu,
