@@ -92,7 +92,12 @@ class Drape(MuyscAlgorithm):
         )
         blocks = drape(muogram, dem, inputs.side, progress_of(feedback, 0.0, 1.0))
         cells = write_on_grid(
-            temporary, dem, muogram.kind, {**muogram.metadata, "SIDE": inputs.side}, blocks
+            temporary,
+            dem,
+            muogram.kind,
+            {**muogram.metadata, "SIDE": inputs.side},
+            blocks,
+            f"draped {muogram.kind.name}",
         )
         if cells:
             feedback.pushInfo(f"{cells} cells of the DEM carry a value.")

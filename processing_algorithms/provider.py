@@ -21,6 +21,7 @@ ALGORITHMS = (
     ("telescope", "Telescope"),
     ("expectedcounts", "ExpectedCounts"),
     ("radiographyatsites", "RadiographyAtSites"),
+    ("siteselection", "SiteSelection"),
     ("tomography", "TomographyAlgorithm"),
     ("reconstructionbenchmark", "ReconstructionBenchmark"),
 )

@@ -61,3 +61,22 @@ class Mask:
         allowed = valid & (values != 0) & np.isfinite(values)
         result[inside] = allowed[j - window[1], i - window[0]]
         return result
+
+
+def mask_of(path: str, crs: str) -> Mask:
+    """Return the mask of a file, given its CRS in any form that `pyproj.CRS` takes.
+
+    Raises
+    ------
+    MuyscError
+        If there is no such CRS.
+    """
+    from pyproj import CRS
+    from pyproj.exceptions import CRSError
+
+    try:
+        return Mask(path, CRS.from_user_input(crs))
+    except CRSError as error:
+        raise MuyscError(
+            f"The mask {Path(path).name} has no coordinate reference system; assign one."
+        ) from error

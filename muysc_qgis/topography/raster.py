@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -11,21 +12,59 @@ from .. import __version__
 from ..errors import MuyscError
 from ..muogram import DOMAIN, as_text
 from ..quantities import Quantity
-from .dem import Dem
 from .drape import DrapedBlock
+
+if TYPE_CHECKING:
+    from pyproj import CRS
+
+
+class OnMap(Protocol):
+    """A raster's place on the map: a `Dem`'s, for one."""
+
+    @property
+    def columns(self) -> int:
+        """Number of columns."""
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+
+    @property
+    def geotransform(self) -> tuple[float, ...]:
+        """Affine map from cell corners to `crs`, in GDAL's order."""
+
+    @property
+    def crs(self) -> CRS:
+        """Coordinate reference system."""
 
 
 def write_on_grid(
     path: str | Path,
-    dem: Dem,
+    grid: OnMap,
     quantity: Quantity,
     metadata: Mapping[str, str | float],
     blocks: Iterable[DrapedBlock],
+    name: str,
 ) -> int:
-    """Write values on the grid and in the CRS of a DEM; return how many are known.
+    """Write values on a grid of the map; return how many are known.
 
     The GeoTIFF is sparse: tiles without a value take no room, however large the
-    DEM is.
+    grid is.
+
+    Parameters
+    ----------
+    path
+        The file.
+    grid
+        Its place on the map, such as a `Dem`.
+    quantity
+        What the values are.
+    metadata
+        What else the file says.
+    blocks
+        Values of runs of whole rows.
+    name
+        What the file says that it holds.
 
     Raises
     ------
@@ -38,12 +77,12 @@ def write_on_grid(
     known = 0
     try:
         dataset = gdal.GetDriverByName("GTiff").Create(
-            str(path), dem.columns, dem.rows, 1, gdal.GDT_Float32,
+            str(path), grid.columns, grid.rows, 1, gdal.GDT_Float32,
             ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "SPARSE_OK=TRUE", "BIGTIFF=IF_SAFER"],
         )  # fmt: skip
-        dataset.SetGeoTransform(dem.geotransform)
-        dataset.SetProjection(dem.crs.to_wkt())
-        entries = {"QUANTITY": f"draped {quantity.name}", "UNIT": quantity.unit}
+        dataset.SetGeoTransform(grid.geotransform)
+        dataset.SetProjection(grid.crs.to_wkt())
+        entries = {"QUANTITY": name, "UNIT": quantity.unit}
         dataset.SetMetadata(
             {**{key: as_text(value) for key, value in metadata.items()}, **entries,
              "VERSION": __version__},

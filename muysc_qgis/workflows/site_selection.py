@@ -18,15 +18,6 @@ from ..survey.run import Say, run_job, unheard
 from ..topography.frame import transformed
 from .site_assessment import NUMBERS, SurveyPlan, survey_job
 
-#: Number of `Assessment` by quantity of a map.
-MAPS = {
-    "score": "score",
-    "exposure": "exposure_days",
-    "share_seen": "share_seen",
-    "thickness": "thickness_m",
-    "free_sky": "free_sky",
-}
-
 
 @dataclass(frozen=True)
 class Wanted:
@@ -73,12 +64,12 @@ class Selection:
     coverage: np.ndarray
     warnings: tuple[str, ...]
 
-    def map_of(self, quantity: str) -> np.ndarray:
-        """Return a number on the map, (rows, columns), NaN where there is no candidate.
+    def map_of(self, number: str) -> np.ndarray:
+        """Return one of `numbers` on the map, (rows, columns), NaN where there is no candidate.
 
         Of several candidates in one cell the best counts.
         """
-        grid, values = self.candidates.grid, self.numbers[MAPS[quantity]]
+        grid, values = self.candidates.grid, self.numbers[number]
         result = np.full(grid.rows * grid.columns, np.nan)
         # What is assigned last stays.
         order = np.argsort(np.nan_to_num(self.numbers["score"]), kind="stable")

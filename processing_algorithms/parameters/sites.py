@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 from qgis.core import (
@@ -135,16 +136,23 @@ def points_of(
     geometry: QgsGeometry, to_dem: QgsCoordinateTransform
 ) -> list[tuple[float, float] | None]:
     """Return the points of a geometry in the DEM's CRS, None for one that has no place."""
-    points: list[tuple[float, float] | None] = []
-    for vertex in geometry.vertices():
+    return placed(geometry.vertices(), to_dem) or [None]
+
+
+def placed(
+    points: Iterable[Any], to_dem: QgsCoordinateTransform
+) -> list[tuple[float, float] | None]:
+    """Return points of QGIS in the DEM's CRS, None for one that has no place there."""
+    places: list[tuple[float, float] | None] = []
+    for point in points:
         try:
-            point = to_dem.transform(vertex.x(), vertex.y())
+            moved = to_dem.transform(point.x(), point.y())
         except QgsCsException:
-            points.append(None)
+            places.append(None)
         else:
-            finite = math.isfinite(point.x()) and math.isfinite(point.y())
-            points.append((point.x(), point.y()) if finite else None)
-    return points or [None]
+            finite = math.isfinite(moved.x()) and math.isfinite(moved.y())
+            places.append((moved.x(), moved.y()) if finite else None)
+    return places
 
 
 def point_source(

@@ -1,0 +1,332 @@
+"""Parameters of a survey: where candidates lie, what they must keep to, who computes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterRasterLayer,
+    QgsProcessingParameterString,
+    QgsRasterLayer,
+)
+
+from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.survey.candidates import Candidates, Limits, find_candidates
+from ...muysc_qgis.survey.map_grid import grid_around, grid_over, survey_crs
+from ...muysc_qgis.survey.masks import mask_of
+from ...muysc_qgis.topography.dem import Dem
+from ...muysc_qgis.topography.frame import transformed
+from ...muysc_qgis.workflows.site_selection import Wanted
+from ..compat import VECTOR_LINE, VECTOR_POINT
+from .sites import placed, point_source, points_of, transform_to
+from .terrain import raster_layer
+from .values import explained, given, number, read_count, read_number
+
+
+def candidate_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare where candidates lie and what they must keep to."""
+    return [
+        number(
+            "MIN_DISTANCE", "Smallest distance to the target (m)",
+            "Give the horizontal distance in m within which no telescope stands, 0 or more.",
+            500.0, 0,
+        ),
+        number(
+            "MAX_DISTANCE", "Largest distance to the target (m)",
+            "Give the horizontal distance in m beyond which no telescope stands, above 0.",
+            3000.0, 0,
+        ),
+        number(
+            "SPACING", "Spacing of candidates and maps (m)",
+            "Give the distance between candidates in m, above 0: also the cell size of the maps. "
+            "Half of it makes four times as many candidates.",
+            100.0, 0,
+        ),
+        number(
+            "MAX_SLOPE", "Steepest slope (°, empty: any)",
+            "Give the steepest ground in degrees, above 0 and up to 90, measured over one cell of "
+            "the DEM to each side.",
+            30.0, 0, 90,
+        ),
+        number(
+            "ABOVE_TARGET", "Highest above the target (m, empty: any)",
+            "Give how much the ground at a candidate may be above the ground at the target in m; "
+            "negative where it must be below.",
+            None, advanced=True,
+        ),
+        number(
+            "BELOW_TARGET", "Lowest below the target (m, empty: any)",
+            "Give how much the ground at a candidate may be below the ground at the target in m; "
+            "negative where it must be above.",
+            None, advanced=True,
+        ),
+        explained(
+            QgsProcessingParameterFeatureSource("ROADS", "Roads", [VECTOR_LINE], None, True),
+            "Layer of lines that telescopes must be near, in any coordinate reference system.",
+        ),
+        number(
+            "ROAD_DISTANCE", "Largest distance to a road (m)",
+            "Give the distance in m to the nearest road beyond which no telescope stands, above "
+            "0. It counts where ROADS is given.",
+            500.0, 0,
+        ),
+        explained(
+            QgsProcessingParameterRasterLayer("MASK", "Mask of candidates", None, True),
+            "Raster that says where telescopes may stand: anywhere that its first band is neither "
+            "0 nor no data. In any coordinate reference system.",
+        ),
+        explained(
+            QgsProcessingParameterFeatureSource("CANDIDATES", "Candidates", [VECTOR_POINT], None,
+                                                True),
+            "Layer of points to choose from, in place of a grid around the target. The limits hold "
+            "for them too.",
+        ),
+    ]  # fmt: skip
+
+
+def target_body_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare what of the mountain is to be seen, and when it is."""
+    return [
+        number(
+            "TARGET_RADIUS", "Radius of the target body (m)",
+            "Give the radius in m of the part of the mountain that matters, above 0: a vertical "
+            "cylinder around the target.",
+            300.0, 0,
+        ),
+        number(
+            "TARGET_DEPTH", "Depth of the target body (m)",
+            "Give how far in m below the ground at the target the target body reaches, above 0.",
+            300.0, 0,
+        ),
+        number(
+            "MINIMUM_THICKNESS", "Thinnest rock to see through (m)",
+            "Give the thickness of rock in m below which a ray says nothing of the target, 0 or "
+            "more.",
+            50.0, 0,
+        ),
+        number(
+            "MAXIMUM_THICKNESS", "Thickest rock to see through (m)",
+            "Give the thickness of rock in m above which too few muons come through, above the "
+            "thinnest.",
+            1000.0, 0,
+        ),
+        number(
+            "DAYS", "Days of the campaign",
+            "Give the days that telescopes will count, above 0. The score weighs exposure times "
+            "against it.",
+            100.0, 0,
+        ),
+    ]  # fmt: skip
+
+
+def choice_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare how many sites are chosen."""
+    return [
+        number(
+            "SITES_WANTED", "Number of best sites",
+            "Give how many of the best candidates to list, 1 or more.",
+            10, 1, whole=True,
+        ),
+        number(
+            "SITES_APART", "Distance between best sites (m)",
+            "Give how far in m the best sites are from each other at the least, 0 or more.",
+            250.0, 0,
+        ),
+        number(
+            "TELESCOPES", "Number of telescopes",
+            "Give how many telescopes are to cover the target's sides together, 1 or more.",
+            3, 1, whole=True,
+        ),
+        number(
+            "COVERED_ANGLE", "Angle that a telescope covers (°, empty: 360° over their number)",
+            "Give the angle around the target in degrees, above 0 and up to 360, to either side of "
+            "a telescope, at which it adds nothing any more.",
+            None, 0, 360, advanced=True,
+        ),
+    ]  # fmt: skip
+
+
+def workers_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare who computes."""
+    return [
+        number(
+            "WORKERS", "Worker processes (empty: one for each processor)",
+            "Give the number of processes that compute, 0 or more; 0 and 1 compute in QGIS itself.",
+            None, 0, whole=True, advanced=True,
+        ),
+        explained(
+            QgsProcessingParameterString("SCHEDULER", "Dask scheduler (empty: this machine)", None,
+                                         False, True),
+            "Address of the scheduler of a Dask cluster, such as tcp://10.0.0.1:8786, whose "
+            "workers compute in place of this machine. It needs the Python library distributed.",
+            advanced=True,
+        ),
+    ]  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Search:
+    """Where candidates are looked for; layers are read, limits are not applied yet."""
+
+    dem: Dem
+    target: tuple[float, float]
+    limits: Limits
+    spacing_m: float
+    #: (n, 2) points and (m, 4) segments in the DEM's CRS, None for none.
+    points: np.ndarray | None
+    roads: np.ndarray | None
+    #: File and CRS of the mask.
+    mask: tuple[str, str] | None
+
+    def candidates(self) -> Candidates:
+        """Return the places that keep to all limits.
+
+        Raises
+        ------
+        MuyscError
+            If there is none, or the spacing makes too many.
+        """
+        dem, crs = self.dem, survey_crs(self.dem, self.target)
+        roads = self.roads
+        if roads is not None:
+            ends = [transformed(dem.crs, crs, *roads[:, i : i + 2].T) for i in (0, 2)]
+            roads = np.column_stack([*ends[0], *ends[1]])
+        mask = None if self.mask is None else mask_of(*self.mask)
+        if self.points is None:
+            grid = grid_around(dem, self.target, self.limits.farthest_m, self.spacing_m)
+            return find_candidates(dem, self.target, grid, self.limits, None, mask, roads)
+        x, y = transformed(dem.crs, crs, *self.points.T)
+        grid = grid_over(crs, x, y, self.spacing_m)
+        return find_candidates(dem, self.target, grid, self.limits, (x, y), mask, roads)
+
+
+def read_search(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    dem: Dem,
+    layer: QgsRasterLayer,
+    target: tuple[float, float],
+) -> tuple[Search, list[str]]:
+    """Return where candidates are looked for, and what was assumed for it.
+
+    Raises
+    ------
+    MuyscError
+        If a value or a layer cannot be used.
+    """
+    read = (algorithm, parameters)
+    nearest, farthest, spacing, slope, above, below, road = (
+        read_number(*read, name, context)
+        for name in (
+            "MIN_DISTANCE", "MAX_DISTANCE", "SPACING", "MAX_SLOPE", "ABOVE_TARGET", "BELOW_TARGET",
+            "ROAD_DISTANCE",
+        )
+    )  # fmt: skip
+    points, roads, mask = None, None, None
+    notes: list[str] = []
+    if given(parameters, "CANDIDATES"):
+        points, assumed = _read_points(*read, context, layer)
+        notes += assumed
+    if given(parameters, "ROADS"):
+        roads, assumed = _read_roads(*read, context, layer)
+        notes += assumed
+    if given(parameters, "MASK"):
+        raster = raster_layer(*read, "MASK", context)
+        mask = (raster.source(), raster.crs().toWkt())
+    limits = Limits(
+        nearest or 0.0, farthest or 0.0, slope, above, below, road if roads is not None else None
+    )
+    return Search(dem, target, limits, spacing or 0.0, points, roads, mask), notes
+
+
+def read_wanted(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Wanted:
+    """Return how many sites are chosen.
+
+    Raises
+    ------
+    MuyscError
+        If a number cannot be used.
+    """
+    read = (algorithm, parameters)
+    return Wanted(
+        read_count(*read, "SITES_WANTED", context),
+        read_number(*read, "SITES_APART", context) or 0.0,
+        read_count(*read, "TELESCOPES", context),
+        read_number(*read, "COVERED_ANGLE", context),
+    )
+
+
+def read_workers(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> tuple[int | None, str]:
+    """Return the number of workers, None for all processors, and the scheduler's address.
+
+    Raises
+    ------
+    MuyscError
+        If the number is negative or no whole one.
+    """
+    workers = read_number(algorithm, parameters, "WORKERS", context)
+    if workers is not None and (workers < 0 or workers != round(workers)):
+        raise MuyscError(
+            f"{workers:g} worker processes are impossible; give a whole number from 0."
+        )
+    address = algorithm.parameterAsString(parameters, "SCHEDULER", context).strip()
+    return None if workers is None else int(workers), address
+
+
+def _read_points(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    layer: QgsRasterLayer,
+) -> tuple[np.ndarray, list[str]]:
+    source = point_source(algorithm, parameters, "CANDIDATES", context)
+    to_dem, notes = transform_to(layer, source, "CANDIDATES", context)
+    found = [
+        point for feature in source.getFeatures() for point in points_of(feature.geometry(), to_dem)
+    ]
+    points = [point for point in found if point is not None]
+    if len(points) < len(found):
+        notes.append(
+            f"{len(found) - len(points)} of {len(found)} candidates have no place on the map."
+        )
+    if not points:
+        raise MuyscError("No point of CANDIDATES has a place on the map; choose another layer.")
+    return np.array(points), notes
+
+
+def _read_roads(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    context: QgsProcessingContext,
+    layer: QgsRasterLayer,
+) -> tuple[np.ndarray, list[str]]:
+    source = algorithm.parameterAsSource(parameters, "ROADS", context)
+    if source is None:
+        raise MuyscError(f"ROADS “{parameters['ROADS']}” is no layer; choose a layer of lines.")
+    to_dem, notes = transform_to(layer, source, "ROADS", context)
+    segments: list[tuple[float, ...]] = []
+    for feature in source.getFeatures():
+        geometry = feature.geometry()
+        # Curves come as straight pieces.
+        lines = geometry.asMultiPolyline() if geometry.isMultipart() else [geometry.asPolyline()]
+        for line in lines:
+            points = placed(line, to_dem)
+            segments += [
+                (*start, *end)
+                for start, end in zip(points, points[1:])
+                if start is not None and end is not None
+            ]
+    if not segments:
+        raise MuyscError("ROADS holds no line on the map; choose another layer or leave it empty.")
+    return np.array(segments), notes
