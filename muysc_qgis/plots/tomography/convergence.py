@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 TITLE = "Misfit by iteration and by station"
 
 #: Width of the left chart, space between both, heights (inches).
-_CURVE, _BETWEEN, _HEAD, _CHART, _FOOT = 4.3, 0.85, 0.85, 3.0, 0.75
+_CURVE, _BETWEEN, _HEAD, _CHART, _FOOT = 4.3, 0.85, 0.85, 3.0, 1.05
 
 #: Names of stations that fit below their bars (inches for each, letters of each).
 _NAME_IN, _LETTERS = 0.19, 12

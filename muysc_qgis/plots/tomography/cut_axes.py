@@ -61,7 +61,7 @@ def draw_cut(
     cut: Cut,
     scale: ScalarMappable,
     rock: np.ndarray | None = None,
-    named: bool = True,
+    upright_scale: bool = True,
 ) -> Frame:
     """Draw a cut with its scales.
 
@@ -77,18 +77,19 @@ def draw_cut(
         Colours and limits.
     rock
         (n_across, n_up) of bool: where there is rock, seen or not.
-    named
-        Whether the scales have their names, too.
+    upright_scale
+        Whether there is a scale at the left, too.
     """
     frame = place(axes, (*corner_in, *size_in), cut.limits_m)
     left, right, bottom, top = cut.limits_m
     draw_image(frame, cell_colours(cut, scale, rock), cut.limits_m, "cells")
     wide, high = size_in
-    draw_lengths(frame, "bottom", (left, right), max(2, int(wide / _ACROSS_IN)), 1e3,
-                 f"{cut.across} (km)" if named else "")  # fmt: skip
-    unit, word = (1.0, "m") if cut.is_vertical else (1e3, "km")
-    draw_lengths(frame, "left", (bottom, top), max(2, int(high / _UP_IN)), unit,
-                 f"{cut.up} ({word})" if named else "")  # fmt: skip
+    count = max(2, int(wide / _ACROSS_IN))
+    draw_lengths(frame, "bottom", (left, right), count, 1e3, f"{cut.across} (km)")
+    if upright_scale:
+        unit, word = (1.0, "m") if cut.is_vertical else (1e3, "km")
+        count = max(2, int(high / _UP_IN))
+        draw_lengths(frame, "left", (bottom, top), count, unit, f"{cut.up} ({word})")
     return frame
 
 

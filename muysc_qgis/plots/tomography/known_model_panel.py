@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 TITLE = "Reconstruction of a known model"
 
 #: A picture at most, and the distance of their left edges (inches).
-_ROOM, _PITCH = (2.45, 2.3), 3.2
+_ROOM, _PITCH = (2.75, 2.5), 3.0
 
 #: Metres of a kilometre.
 _KM = 1e3
@@ -180,7 +180,7 @@ def _draw_row(axes: Axes, top: float, row: _Row) -> None:
     errors = volume_scales.diverging(apart, 0.0, 1e-6)
     scales: Sequence[ScalarMappable] = (shared, shared, errors)
     frames = [
-        draw_picture(axes, LEFT + column * _PITCH, top, one, _ROOM, scale)
+        draw_picture(axes, LEFT + column * _PITCH, top, one, _ROOM, scale, column == 0)
         for column, (one, scale) in enumerate(zip(pictures, scales))
     ]
     for column, values, scale, word in (

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.cm import ScalarMappable
 
 #: Margin of the page, and the room that a picture takes for the scale at its left (inches).
-MARGIN, LEFT = 0.22, 0.72
+MARGIN, LEFT = 0.22, 0.86
 #: Room above a picture for its title, with and without a remark; below it for its scale, and
 #: below that for a colour bar (inches).
 ABOVE, ABOVE_PLAIN, BELOW, BAR = 0.42, 0.28, 0.48, 0.62
@@ -104,11 +104,12 @@ def draw_picture(
     picture: Picture,
     room_in: tuple[float, float],
     scale: ScalarMappable,
-    named: bool = True,
+    upright_scale: bool = True,
 ) -> Frame:
     """Draw one picture below a height on the page, as large as fits a room, with its title."""
     size = fitted(picture.cut.size_m, room_in)
-    frame = draw_cut(axes, (left, top - size[1]), size, picture.cut, scale, picture.rock, named)
+    corner = (left, top - size[1])
+    frame = draw_cut(axes, corner, size, picture.cut, scale, picture.rock, upright_scale)
     write_title(frame, picture.title, picture.remark)
     return frame
 

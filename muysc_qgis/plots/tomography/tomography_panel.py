@@ -47,9 +47,9 @@ if TYPE_CHECKING:
 TITLE = "Muon tomography"
 
 #: The map at most, a level picture, and the vertical ones beside them (inches).
-_MAP, _LEVEL, _VERTICAL = (4.3, 4.9), (3.3, 3.3), (4.0, 2.2)
+_MAP, _LEVEL, _VERTICAL = (4.2, 4.9), (3.3, 3.3), (3.95, 2.2)
 #: Left edges of the vertical pictures beside the map and beside a level one.
-_BESIDE_MAP = style.WIDTH_IN - _VERTICAL[0] - 0.25
+_BESIDE_MAP = style.WIDTH_IN - _VERTICAL[0] - 0.32
 _BESIDE_LEVEL = LEFT + _LEVEL[0] + 1.0
 _LEGEND_ROWS, _LEGEND_ROW, _LEGEND_COLUMN = 3, 0.2, 2.9
 
