@@ -28,6 +28,9 @@ _LEFT_OUT_BELOW = 0.02
 #: Where along its rock each ray is sampled.
 _ALONG = np.linspace(0.0, 1.0, 9)
 
+#: Voxel sizes are these times a power of ten.
+_STEPS = (1.0, 1.2, 1.5, 1.8, 2.0, 2.2, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)
+
 #: Points along a side at which the highest ground is looked for.
 _PROBES = 200
 
@@ -156,7 +159,8 @@ def _suggested(
         side = np.linspace(0.0, 1.0, 33)
         rim_x = west + (east - west) * np.concatenate([side, side, 0 * side, 0 * side + 1])
         rim_y = south + (north - south) * np.concatenate([0 * side, 0 * side + 1, side, side])
-        known = np.isfinite(_ground_at(rim_x, rim_y, frame, dem)).reshape(4, -1).all(axis=1)
+        on_dem = dem.contains(*_cells(rim_x, rim_y, frame, dem))
+        known = on_dem.reshape(4, -1).all(axis=1)
         if known.all():
             break
         south += 0.0 if known[0] else 0.02 * (middle[1] - south)
@@ -168,9 +172,12 @@ def _suggested(
 
 def _highest(extent: tuple[float, float, float, float], frame: VolumeFrame, dem: Dem) -> float:
     """Return the highest ground within an extent, from evenly spaced probes."""
-    x = np.linspace(extent[0], extent[1], _PROBES)[:, None]
-    y = np.linspace(extent[2], extent[3], _PROBES)[None, :]
-    ground = _ground_at(x + 0 * y, y + 0 * x, frame, dem)
+    x = np.linspace(extent[0], extent[1], _PROBES)
+    # Row by row, so that little of a fine DEM is in memory.
+    ground = np.concatenate([
+        heights_at(dem, *_cells(x, np.full_like(x, y), frame, dem))
+        for y in np.linspace(extent[2], extent[3], _PROBES)
+    ])  # fmt: skip
     if not np.isfinite(ground).any():
         raise MuyscError(
             f"The extent x {extent[0]:.7g} to {extent[1]:.7g}, y {extent[2]:.7g} to "
@@ -180,12 +187,14 @@ def _highest(extent: tuple[float, float, float, float], frame: VolumeFrame, dem:
     return float(np.nanmax(ground))
 
 
-def _ground_at(x: np.ndarray, y: np.ndarray, frame: VolumeFrame, dem: Dem) -> np.ndarray:
-    return heights_at(dem, *dem.grid_position(*transformed(frame.crs, dem.crs, x, y)))
+def _cells(
+    x: np.ndarray, y: np.ndarray, frame: VolumeFrame, dem: Dem
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the DEM's grid positions of positions in the CRS of the frame."""
+    return dem.grid_position(*transformed(frame.crs, dem.crs, x, y))
 
 
 def _rounded(size: float) -> float:
-    """Return a size rounded up to 1, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten."""
+    """Return a size rounded up to a number that is easy to read."""
     unit = 10.0 ** math.floor(math.log10(size))
-    steps = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
-    return unit * next(step for step in steps if step * unit >= size * (1 - 1e-9))
+    return unit * next(step for step in _STEPS if step * unit >= size * (1 - 1e-9))
