@@ -10,7 +10,7 @@ import numpy as np
 from ...progress import Progress, report
 from ..operators import StoredPaths
 from ..system import System
-from .loop import inverse, iterate, lifted
+from .loop import inverse, iterate, within_bounds
 from .options import Reconstruction, Settings
 from .order import disjoint_groups, single_rays, turns, views
 
@@ -42,7 +42,7 @@ def solve(system: System, settings: Settings, progress: Progress) -> Reconstruct
             x = x.astype(system.paths.dtype)
             for rays, paths in parts:
                 x += paths.back(factor[rays] * (system.data[rays] - paths.forward(x)))
-            return lifted(x, settings).astype(float)
+            return within_bounds(x, settings).astype(float)
 
     else:
         order = single_rays(system, settings)
@@ -56,7 +56,7 @@ def solve(system: System, settings: Settings, progress: Progress) -> Reconstruct
                 rays = order[done : done + chunk.shape[0]]
                 _sweep(x, chunk, system.data[rays], factor[rays])
                 done += len(rays)
-            return lifted(x, settings).astype(float)
+            return within_bounds(x, settings).astype(float)
 
     return iterate(system, settings, progress, step)
 

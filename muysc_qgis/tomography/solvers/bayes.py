@@ -26,9 +26,9 @@ _MOST_NUMBERS = 1 << 25
 def solve(system: System, settings: Settings, progress: Progress) -> Reconstruction:
     """Return ρ₀ + C Aᵀ (A C Aᵀ + Σ)⁻¹ (b − A ρ₀) with C = σρ² exp(−d/ℓ), Σ the data's variances.
 
-    Tarantola 2005 (doi:10.1137/1.9780898717921), section 3.2. Densities are not kept above zero,
-    which no Gaussian is. The posterior's standard deviations follow in full for up to 2000 rays;
-    for more, from draws of prior and data if asked for: the error of each draw's solution is a
+    Tarantola 2005 (doi:10.1137/1.9780898717921), section 3.2. Densities are not kept within
+    bounds, which no Gaussian is. The posterior's standard deviations follow in full for up to
+    2000 rays; for more, from draws of prior and data if asked for: the error of each draw's solution is a
     draw of the posterior, so that n draws give deviations to a relative 1/√(2n).
 
     Raises

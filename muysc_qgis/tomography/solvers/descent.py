@@ -8,7 +8,7 @@ import numpy as np
 
 from ...progress import Progress
 from ..system import System
-from .loop import iterate, lifted
+from .loop import iterate, within_bounds
 from .options import Reconstruction, Settings
 from .smoothness import LeastSquares
 
@@ -37,7 +37,7 @@ def solve(system: System, settings: Settings, progress: Progress) -> Reconstruct
         recent.append(problem.value(x, residual))
         if not length:
             length.append(_ratio(float(slope @ slope), problem.curvature_along(slope)))
-        move = lifted(x - length[-1] * slope, settings) - x
+        move = within_bounds(x - length[-1] * slope, settings) - x
         curvature, promise = problem.curvature_along(move), float(slope @ move)
         reached = recent[-1] + promise + 0.5 * curvature
         # 0/0 is an optimum: nothing moves, so that the step stays as it was.

@@ -10,7 +10,7 @@ from ...progress import Progress
 from ..lattice import Lattice
 from ..operators import Projector
 from ..system import System
-from .loop import inverse, iterate, level
+from .loop import inverse, iterate, level, within_bounds
 from .options import Reconstruction, Settings
 from .order import dealt
 
@@ -121,7 +121,8 @@ def _solve(
         for rays, paths, column in parts:
             # The loop has just projected the model, which serves where all rays are one subset.
             model = paths.forward(x).astype(float) if len(parts) > 1 else system.data - residual
-            x = _update(x, paths, weights[rays], data[rays], model, column)
+            # Each voxel's surrogate has one top, so that cutting it off keeps the ascent.
+            x = within_bounds(_update(x, paths, weights[rays], data[rays], model, column), settings)
         return x
 
     def _update(

@@ -71,9 +71,11 @@ def iterate(
     return Reconstruction(x, done, stopped_by, np.array(misfits), np.array(objectives))
 
 
-def lifted(x: np.ndarray, settings: Settings) -> np.ndarray:
-    """Return the model with densities below zero lifted to it, if asked for."""
-    return np.maximum(x, 0.0) if settings.nonnegative else x
+def within_bounds(x: np.ndarray, settings: Settings) -> np.ndarray:
+    """Return the model with densities beyond the bounds asked for brought back to them."""
+    if settings.nonnegative:
+        x = np.maximum(x, 0.0)
+    return x if settings.highest is None else np.minimum(x, settings.highest)
 
 
 def level(start: np.ndarray) -> float:

@@ -127,6 +127,7 @@ def reconstruct(
         ordering=options.ordering,
         subsets=int(settled(options.subsets, method.subsets)),
         nonnegative=options.nonnegative,
+        highest=options.highest,
         start=start_vector(usable, options.start),
         discrepancy=options.discrepancy,
         edge_density=options.edge_density,

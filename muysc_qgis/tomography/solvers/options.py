@@ -30,6 +30,8 @@ class Options:
     subsets: int | None = None
     #: Whether densities below zero are lifted to it.
     nonnegative: bool = True
+    #: Density that none exceeds, such as that of the rock without pores; `None`: no limit.
+    highest: float | None = None
     #: Model to begin with: a density or one per unknown; `None` takes the best homogeneous one.
     start: float | np.ndarray | None = None
     #: Multiple of the data's errors at which fitting ends, where they are known; 0 never ends.
@@ -56,6 +58,11 @@ class Options:
                 f"The relaxation is {self.relaxation:g}, and beyond 0 to 2 the methods do not "
                 "converge; give a number in between, such as 0.5."
             )
+        if self.highest is not None and not self.highest > 0:
+            raise MuyscError(
+                f"The highest density is {self.highest:g} g/cm³, which leaves no rock; give one "
+                "above 0."
+            )
         if not self.edge_density > 0:
             raise MuyscError(
                 f"The density step of the hybrid penalty is {self.edge_density:g} g/cm³; give one "
@@ -77,6 +84,7 @@ class Settings:
     ordering: str
     subsets: int
     nonnegative: bool
+    highest: float | None
     start: np.ndarray
     discrepancy: float
     edge_density: float

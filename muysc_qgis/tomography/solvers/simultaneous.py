@@ -8,7 +8,7 @@ from ...progress import Progress
 from ..operators import Projector
 from ..system import System
 from .art import ray_relaxation
-from .loop import inverse, iterate, lifted
+from .loop import inverse, iterate, within_bounds
 from .options import Reconstruction, Settings
 from .order import dealt, views
 
@@ -24,7 +24,7 @@ def solve_sirt(system: System, settings: Settings, progress: Progress) -> Recons
     column = settings.relaxation * inverse(paths.back(weights))
 
     def step(x: np.ndarray, residual: np.ndarray) -> np.ndarray:
-        return lifted(x + column * paths.back(row * residual), settings)
+        return within_bounds(x + column * paths.back(row * residual), settings)
 
     def objective(_: np.ndarray, residual: np.ndarray) -> float:
         return 0.5 * float(np.sum(row * residual**2))
@@ -51,7 +51,7 @@ def solve_sart(system: System, settings: Settings, progress: Progress) -> Recons
         x = x.astype(system.paths.dtype)
         for rays, paths, row, column in parts:
             x += column * paths.back(row * (system.data[rays] - paths.forward(x)))
-        return lifted(x, settings).astype(float)
+        return within_bounds(x, settings).astype(float)
 
     return iterate(system, settings, progress, step)
 
@@ -74,7 +74,7 @@ def solve_bart(system: System, settings: Settings, progress: Progress) -> Recons
         x = x.astype(system.paths.dtype)
         for rays, paths, row in parts:
             x += paths.back(row * (system.data[rays] - paths.forward(x)))
-        return lifted(x, settings).astype(float)
+        return within_bounds(x, settings).astype(float)
 
     return iterate(system, settings, progress, step)
 

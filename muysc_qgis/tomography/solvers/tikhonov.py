@@ -9,7 +9,7 @@ import numpy as np
 from ...progress import Progress, report
 from ..libraries import scipy_part
 from ..system import System
-from .loop import lifted
+from .loop import within_bounds
 from .options import Reconstruction, Settings, misfit
 from .smoothness import LeastSquares, mean_curvature
 
@@ -21,7 +21,7 @@ def solve_tikhonov(system: System, settings: Settings, progress: Progress) -> Re
     """Return the minimum of ½ ‖W½(b − Ax)‖² + ½ β d ‖Dx‖², D the differences of neighbours.
 
     Tikhonov 1963, solved as one stacked system by LSMR (Fong & Saunders 2011,
-    doi:10.1137/10079687X). Densities below zero are lifted to it afterwards.
+    doi:10.1137/10079687X). Densities beyond the bounds are brought back to them afterwards.
     """
     problem = LeastSquares.of(system, settings.regularization)
     return _solve(system, settings, progress, problem.strength, problem.gradient)
@@ -31,7 +31,7 @@ def solve_lsmr(system: System, settings: Settings, progress: Progress) -> Recons
     """Return the minimum of ½ ‖W½(b − Ax)‖² + ½ β d ‖x − x₀‖², x₀ the start.
 
     Damped LSMR; with β = 0 it is stopped by the data's errors where they are known. Densities
-    below zero are lifted to it afterwards.
+    beyond the bounds are brought back to them afterwards.
     """
     strength = settings.regularization * mean_curvature(system, system.weights())
     return _solve(system, settings, progress, strength, None)
@@ -75,7 +75,7 @@ def _solve(
         btol=max(enough, _ACCURACY), conlim=0, maxiter=settings.iterations,
     )[:3]  # fmt: skip
     report(progress, 1.0)
-    values = lifted(start + change, settings)
+    values = within_bounds(start + change, settings)
     after = system.data - paths.forward(values)
     stopped_by = "iterations" if reason == 7 else "discrepancy" if enough else "converged"
     return Reconstruction(

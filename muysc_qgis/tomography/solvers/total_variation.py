@@ -7,7 +7,7 @@ import numpy as np
 from ...progress import Progress, report
 from ..operators import Projector
 from ..system import System
-from .loop import inverse, iterate, level, lifted
+from .loop import inverse, iterate, level, within_bounds
 from .options import Reconstruction, Settings
 from .smoothness import LeastSquares, mean_curvature
 
@@ -71,7 +71,7 @@ def solve(system: System, settings: Settings, progress: Progress) -> Reconstruct
         edge_multiplier = edge_multiplier * np.minimum(1.0, most * inverse(length))
         pull = paths.back(root * data_multiplier).astype(float) / size
         pull += gradient.T @ edge_multiplier.ravel() / steep
-        return lifted(x - primal * pull, settings)
+        return within_bounds(x - primal * pull, settings)
 
     def objective(x: np.ndarray, residual: np.ndarray) -> float:
         steps = np.sqrt(np.sum((gradient @ x).reshape(n_axes, count) ** 2, axis=0))
