@@ -6,6 +6,7 @@ import io
 import zipfile
 import zlib
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -151,11 +152,11 @@ def _from_tiff(payload: bytes, tile: Tile, address: str) -> TileHeights:
     return TileHeights(values, rows_per_degree, columns_per_degree)
 
 
-def _grid_of_tiff(dataset: object, tile: Tile, address: str) -> tuple[int, int]:
+def _grid_of_tiff(dataset: Any, tile: Tile, address: str) -> tuple[int, int]:
     """Return rows and columns in a degree of a GeoTIFF that lies where its name says."""
-    columns, rows = dataset.RasterXSize, dataset.RasterYSize  # type: ignore[attr-defined]
-    bands = dataset.RasterCount  # type: ignore[attr-defined]
-    geotransform = dataset.GetGeoTransform(can_return_null=True)  # type: ignore[attr-defined]
+    columns, rows = dataset.RasterXSize, dataset.RasterYSize
+    bands = dataset.RasterCount
+    geotransform = dataset.GetGeoTransform(can_return_null=True)
     if bands != 1 or max(rows, columns) > max(_SIDES) or geotransform is None:
         raise _refusal(
             address, f"a GeoTIFF of {columns} × {rows} cells in {bands} bands, or without a place"

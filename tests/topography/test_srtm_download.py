@@ -128,6 +128,48 @@ def test_nothing_but_missing_tiles_is_refused_without_secrets(server, cache):
     assert "abc" not in str(told.value)
 
 
+def geotiff(tile, values):
+    """Return a tile as Copernicus has it, without its southern and eastern edge."""
+    path = "/vsimem/tile.tif"
+    side = len(values)
+    dataset = gdal.GetDriverByName("GTiff").Create(path, side, side, 1, gdal.GDT_Float32)
+    dataset.SetGeoTransform(
+        (tile.longitude_deg - 0.5 / side, 1 / side, 0,
+         tile.latitude_deg + 1 + 0.5 / side, 0, -1 / side)
+    )  # fmt: skip
+    dataset.GetRasterBand(1).WriteArray(values)
+    del dataset
+    file = gdal.VSIFOpenL(path, "rb")
+    content = bytes(gdal.VSIFReadL(1, gdal.VSIStatL(path).size, file))
+    gdal.VSIFCloseL(file)
+    gdal.Unlink(path)
+    return content
+
+
+def test_tiles_that_share_no_edge_join_without_a_seam(tmp_path):
+    source = source_of("https://server/{tile}.tif")
+    tiles = [Tile(lat, lon) for lat in (-1, 0) for lon in (-1, 0)]
+    contents = {source.url(tile): geotiff(tile, plane(tile)[:1200, :1200] + 0.25) for tile in tiles}
+    mosaic = download(
+        Extent(-0.1, -0.1, 0.2, 0.2), source, 4, TileCache(tmp_path, source),
+        lambda url, _: contents[url],
+    )  # fmt: skip
+    longitude, latitude = centres(mosaic)
+    assert mosaic.heights.shape == (361, 361)
+    assert mosaic.heights.dtype == np.float32
+    assert (longitude[0], latitude[0]) == pytest.approx((-0.1, 0.2))
+    expected = 100 * latitude[:, None] + 10 * longitude
+    assert np.abs(mosaic.heights - 0.25 - expected).max() <= 0.5 + 1e-4
+    # To the tiles' outer edges there is one cell less.
+    mosaic = download(
+        Extent(-1, -1, 1, 1), source, 4, TileCache(tmp_path, source), lambda url, _: None
+    )
+    assert mosaic.cached_tiles == 4
+    assert mosaic.heights.shape == (2400, 2400)
+    write_dem(tmp_path / "dem.tif", mosaic, source)
+    assert np.array_equal(gdal.Open(str(tmp_path / "dem.tif")).ReadAsArray(), mosaic.heights)
+
+
 def test_a_void_on_a_shared_edge_takes_the_neighbours_height(server, cache):
     server.add(Tile(40, 13), Tile(40, 14))
     server.tiles["N40E014"][600:700, 0:3] = VOID
