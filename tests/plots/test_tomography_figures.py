@@ -185,9 +185,8 @@ def test_the_map_holds_the_volume_and_the_stations_near_it(tomography):
 
 def in_the_page(figure):
     """Whether every text ends within the page."""
-    canvas = figure.canvas
-    canvas.draw()
-    width, height = canvas.get_width_height()
+    figure.draw_without_rendering()
+    width, height = figure.canvas.get_width_height()
     for text in figure.findobj(lambda artist: hasattr(artist, "get_text")):
         if not text.get_text() or not text.get_visible():
             continue

@@ -88,7 +88,7 @@ def draw_cut(
     draw_lengths(frame, "bottom", (left, right), count, 1e3, f"{cut.across} (km)")
     if upright_scale:
         unit, word = (1.0, "m") if cut.is_vertical else (1e3, "km")
-        count = max(2, int(high / _UP_IN))
+        count = max(1, round(high / _UP_IN))
         draw_lengths(frame, "left", (bottom, top), count, unit, f"{cut.up} ({word})")
     return frame
 
@@ -99,6 +99,9 @@ def draw_lengths(
     """Draw a scale of lengths in a unit along a side."""
     low, high = limits_m
     positions = ticks.multiples(low, high, ticks.round_step(high - low, count))
+    if len(positions) < 2 and count > 1:
+        # One number says nothing about the scale.
+        positions = ticks.multiples(low, high, ticks.round_step(high - low, 2 * count))
     labels = [ticks.number_label(float(position) / unit_m) for position in positions]
     draw_scale(frame, side, positions, labels, name)
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...volume import Volume
 from ...workflows.tomography_result import Place, Tomography
-from .. import style
+from .. import style, ticks
 from ..frames import Frame
 from .cut_axes import draw_cut, fitted, write_title
 from .cuts import Cut, mean_view, slice_at
@@ -62,11 +62,20 @@ def slices(volume: Volume, coverage: Volume, place: Place) -> list[Picture]:
     return [
         Picture(title, slice_at(volume, axis, at), np.isfinite(slice_at(coverage, axis, at).values))
         for axis, at, title in (
-            (2, place.z, f"Slice at {place.z:.0f} m"),
-            (1, place.y, f"West to east, at northing {place.y / 1e3:.2f} km"),
-            (0, place.x, f"South to north, at easting {place.x / 1e3:.2f} km"),
+            (2, place.z, slice_title(place)),
+            (1, place.y, f"West to east, at northing {_km(place.y)} km"),
+            (0, place.x, f"South to north, at easting {_km(place.x)} km"),
         )
     ]
+
+
+def slice_title(place: Place) -> str:
+    """Return the title of the level slice at a place."""
+    return f"Slice at {ticks.number_label(round(place.z))} m"
+
+
+def _km(metres: float) -> str:
+    return ticks.number_label(round(metres / 1e3, 2))
 
 
 def middle_place(tomography: Tomography) -> Place:

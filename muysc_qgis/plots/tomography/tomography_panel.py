@@ -32,6 +32,7 @@ from .pictures import (
     draw_picture,
     height_of,
     middle_place,
+    slice_title,
     slices,
     views,
     write_heading,
@@ -114,7 +115,7 @@ def tomography_panel(tomography: Tomography, relief: Relief | None = None) -> Fi
     box = (LEFT, top - map_in[1], *map_in)
     legend = draw_slice_map(figure, box, tomography, place, densities, relief)
     axes.text(
-        LEFT, top + 0.07, f"Slice at {place.z:.0f} m", fontsize=style.HEADING_SIZE,
+        LEFT, top + 0.07, slice_title(place), fontsize=style.HEADING_SIZE,
         fontweight="bold", color=style.INK, va="baseline",
     )  # fmt: skip
     frames = draw_below_each_other(axes, _BESIDE_MAP, top, sections, _VERTICAL, densities)
@@ -140,9 +141,10 @@ def _described(tomography: Tomography) -> list[str]:
     found, grid = tomography.reconstruction, tomography.grid
     edges = " × ".join(f"{size:g}" for size in grid.size_m)
     voxels = " × ".join(map(str, grid.shape))
+    stations = len(tomography.stations)
     return [
         f"{METHODS[tomography.method].title}, {found.iterations_done} iterations: "
-        f"{_ENDED[found.stopped_by]}  ·  {len(tomography.stations)} stations, "
+        f"{_ENDED[found.stopped_by]}  ·  {stations} station{'s' * (stations > 1)}, "
         f"{tomography.rays} rays",
         f"{voxels} voxels of {edges} m, {tomography.seen_voxels} of {tomography.rock_voxels} with "
         f"rock crossed by rays  ·  reference density {tomography.reference_density:.3g} g/cm³, "
