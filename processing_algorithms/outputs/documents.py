@@ -122,10 +122,15 @@ def stage_drawn(
             drawn = next((figure.png for figure in content.figures if figure.is_panel), None)
         if "PANEL" in staged:
             staged["PANEL"].write_bytes(png_bytes(panel()) if drawn is None else drawn)
-    except ImportError as error:
+    except (ImportError, MuyscError) as error:
+        # The page itself says in a sentence what it misses.
+        missing = error if isinstance(error, ImportError) else error.__cause__
+        if not isinstance(missing, ImportError):
+            raise
+        library = (missing.name or "").partition(".")[0]
         feedback.pushWarning(
-            f"Panel and report need the Python library {error.name}, which is missing; the "
-            "rasters were written without them."
+            f"Panel and report need the Python library {library}, which is missing; everything "
+            "else was written without them."
         )
         return {}
     return {

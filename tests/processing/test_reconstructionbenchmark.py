@@ -1,6 +1,7 @@
 """Comparing reconstruction methods as an algorithm: parameters, files, numbers, refusals."""
 
 import csv
+import sys
 from pathlib import Path
 
 import pytest
@@ -101,6 +102,20 @@ def test_a_method_that_sees_nothing_is_warned_of(run, recorder):
     strong = {"METHODS": "pml-quad,fbp", "ITERATIONS": 1, "REGULARIZATION": 1e9}
     run("reconstructionbenchmark", {**SMALL, **strong}, feedback)
     assert [text for text in feedback.warnings if "than one grey level: pml-quad;" in text]
+
+
+@pytest.mark.parametrize(("library", "output"), [("matplotlib", "PANEL"), ("jinja2", "REPORT")])
+def test_without_a_library_for_drawing_the_table_is_written(
+    run, recorder, files, tmp_path, monkeypatch, library, output
+):
+    for name in [name for name in sys.modules if name.split(".")[0] == library]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, library, None)
+    feedback = recorder()
+    wanted = {name: files[name] for name in ("TABLE", output)}
+    run("reconstructionbenchmark", {**SMALL, "METHODS": "fbp", **wanted}, feedback)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["methods.csv", "methods.csvt"]
+    assert [text for text in feedback.warnings if f"Python library {library}" in text]
 
 
 def test_stopping_leaves_no_file(run, recorder, files, tmp_path):

@@ -56,6 +56,7 @@ def section_figure(
     """
     cut = along_line(tomography.density, points_m)
     rock = np.isfinite(along_line(tomography.coverage, points_m).values)
+    scale = volume_scales.between(*tomography.density_limits)
     wide, high = fitted(cut.size_m, _ROOM)
     stretch = max(1.0, _LOWEST / high)
     lines = [_described(cut, name, stretch)]
@@ -64,7 +65,6 @@ def section_figure(
     figure = style.new_figure(style.WIDTH_IN, page_in)
     style.add_heading(figure, TITLE, lines, MARGIN)
     axes = page_axes(figure)
-    scale = volume_scales.between(*tomography.density_limits)
     corner = (LEFT, page_in - head - high * stretch)
     frame = draw_cut(axes, corner, (wide, high * stretch), cut, scale, rock)
     legend = _legend(relief is not None)

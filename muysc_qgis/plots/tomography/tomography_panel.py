@@ -103,12 +103,10 @@ def tomography_panel(tomography: Tomography, relief: Relief | None = None) -> Fi
     sections = slices(tomography.density, tomography.coverage, place)[1:]
     first = max(map_in[1] + BELOW, height_of(sections, _VERTICAL) + BAR)
     legend_in = _LEGEND_ROWS * _LEGEND_ROW + 0.1
-    # matplotlib is missed by the figure, with a sentence, before the scales miss it.
-    figure = style.new_figure(style.WIDTH_IN, 1.0)
     densities = volume_scales.between(*tomography.density_limits)
     blocks = _blocks(tomography, place, densities)
     page_in = head + ABOVE_PLAIN + first + legend_in + sum(one.height for one in blocks) + 0.05
-    figure.set_size_inches(style.WIDTH_IN, page_in)
+    figure = style.new_figure(style.WIDTH_IN, page_in)
     style.add_heading(figure, TITLE, lines, MARGIN)
     axes = page_axes(figure)
     top = page_in - head - ABOVE_PLAIN
