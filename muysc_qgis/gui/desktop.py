@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsProject
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QAction
 
+from . import sites
 from .icons import icon
 from .texts import tr
 
@@ -32,6 +34,11 @@ class Desktop:
         self.action.toggled.connect(self.show_dock)
         iface.addToolBarIcon(self.action)
         iface.addPluginToMenu(_MENU, self.action)
+        # The layer of sites is filled and kept whether the dock is open or not.
+        project = QgsProject.instance()
+        project.readProject.connect(self._restore)
+        project.writeProject.connect(self._store)
+        sites.restore_sites()
 
     def show_dock(self, shown: bool) -> None:
         """Open or close the dock, which is made when it is first needed."""
@@ -50,6 +57,9 @@ class Desktop:
 
     def remove(self) -> None:
         """Take everything out of the window again."""
+        project = QgsProject.instance()
+        project.readProject.disconnect(self._restore)
+        project.writeProject.disconnect(self._store)
         self._iface.removePluginMenu(_MENU, self.action)
         self._iface.removeToolBarIcon(self.action)
         if self.dock is not None:
@@ -58,3 +68,9 @@ class Desktop:
             self.dock.deleteLater()
             self.dock = None
         self.action.deleteLater()
+
+    def _restore(self, *_: object) -> None:
+        sites.restore_sites()
+
+    def _store(self, *_: object) -> None:
+        sites.store_sites()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from qgis.gui import QgisInterface, QgsCollapsibleGroupBox, QgsDockWidget, QgsMapTool
@@ -12,7 +13,6 @@ from qgis.PyQt.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QMenu,
-    QPushButton,
     QScrollArea,
     QSizePolicy,
     QToolButton,
@@ -29,6 +29,8 @@ from .settings_form import SettingsForm
 from .sites_pane import SitesPane
 from .texts import tr
 
+_RADIOGRAPHY, _EXPECTED_COUNTS = "muysc:radiography", "muysc:expectedcounts"
+
 #: How long (s) a message stays.
 _SECONDS = 5
 
@@ -37,7 +39,7 @@ class PlanningDock(QgsDockWidget):
     """Plans a telescope on the map."""
 
     def __init__(self, iface: QgisInterface, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Muon radiography"), parent)
+        super().__init__(tr("Plan a muon telescope"), parent)
         self.setObjectName("MuyscPlanning")
         self._iface = iface
         self._canvas = iface.mapCanvas()
@@ -45,11 +47,13 @@ class PlanningDock(QgsDockWidget):
         self.form = SettingsForm()
         self.muogram = MuogramPane(self.planner)
         self.sites = SitesPane(self.planner, self._canvas)
-        self.run = self._run_button()
-        self.copy = QPushButton(tr("Copy as command"))
-        self.copy.setIcon(icon("copy"))
+        self.places = QgsCollapsibleGroupBox(tr("Candidate sites"))
+        self.places.setCollapsed(True)
+        QVBoxLayout(self.places).addWidget(self.sites)
+        self.run = self._button("run", tr("Run…"), self.open_dialog)
+        self.run.setToolTip(tr("Open the Processing dialog with these values"))
+        self.copy = self._button("copy", tr("Copy as command"), self.copy_command)
         self.copy.setToolTip(tr("A qgis_process line that computes the same in a terminal"))
-        self.copy.clicked.connect(self.copy_command)
         self.setWidget(self._content())
         self._connect()
         self.planner.load()
@@ -63,23 +67,17 @@ class PlanningDock(QgsDockWidget):
 
     # The way to Processing.
 
-    def run_radiography(self) -> None:
-        """Open the dialog of the algorithm radiography with the plan filled in."""
-        plan = self.planner.plan
-        commands.open_dialog("muysc:radiography", plan.radiography(plan.dem))
+    def open_dialog(self, algorithm: str) -> None:
+        """Open the dialog of an algorithm with the plan filled in."""
+        commands.open_dialog(algorithm, self._parameters(algorithm, self.planner.plan.dem))
 
-    def run_expected_counts(self) -> None:
-        """Open the dialog of the algorithm expectedcounts with the plan filled in."""
-        plan = self.planner.plan
-        commands.open_dialog("muysc:expectedcounts", plan.expected_counts(plan.dem))
-
-    def copy_command(self) -> None:
-        """Put the line that computes the muogram on the clipboard."""
+    def copy_command(self, algorithm: str) -> None:
+        """Put the line that runs an algorithm in a terminal on the clipboard."""
         layer = self.planner.layer
         if layer is None:
             return
-        parameters = self.planner.plan.radiography(layer.source())
-        QApplication.clipboard().setText(commands.command_line("muysc:radiography", parameters))
+        line = commands.command_line(algorithm, self._parameters(algorithm, layer.source()))
+        QApplication.clipboard().setText(line)
         told = tr("The command is on the clipboard; its files appear where it is run.")
         own = layer.dataProvider().crs()
         if layer.crs() != own:
@@ -87,7 +85,11 @@ class PlanningDock(QgsDockWidget):
                 "The command is on the clipboard; it reads the DEM in the system of its file, "
                 "{own}, in place of {given}: assign that to the file first."
             ).format(own=own.authid() or own.description(), given=layer.crs().authid())
-        self._iface.messageBar().pushMessage(tr("Muon radiography"), told, duration=_SECONDS)
+        self._iface.messageBar().pushMessage(self.windowTitle(), told, duration=_SECONDS)
+
+    def _parameters(self, algorithm: str, dem: str) -> dict[str, Any]:
+        plan = self.planner.plan
+        return plan.radiography(dem) if algorithm == _RADIOGRAPHY else plan.expected_counts(dem)
 
     # How it is put together.
 
@@ -95,16 +97,13 @@ class PlanningDock(QgsDockWidget):
         actions = QHBoxLayout()
         actions.addWidget(self.run)
         actions.addWidget(self.copy)
-        places = QgsCollapsibleGroupBox(tr("Candidate sites"))
-        places.setCollapsed(True)
-        QVBoxLayout(places).addWidget(self.sites)
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(6, 6, 6, 6)
         layout.addWidget(self.form)
         layout.addWidget(self.muogram, 1)
         layout.addLayout(actions)
-        layout.addWidget(places)
+        layout.addWidget(self.places)
         area = QScrollArea()
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -112,14 +111,17 @@ class PlanningDock(QgsDockWidget):
         area.setWidget(content)
         return area
 
-    def _run_button(self) -> QToolButton:
+    def _button(self, name: str, text: str, do: Callable[[str], None]) -> QToolButton:
+        """Return a button that asks for one of the two algorithms."""
         menu = QMenu(self)
-        menu.addAction(tr("Muon radiography…"), self.run_radiography)
-        menu.addAction(tr("Expected counts in a telescope…"), self.run_expected_counts)
+        for algorithm, title in (
+            (_RADIOGRAPHY, tr("Muon radiography")),
+            (_EXPECTED_COUNTS, tr("Expected counts in a telescope")),
+        ):
+            menu.addAction(title, partial(do, algorithm))
         button = QToolButton()
-        button.setText(tr("Run…"))
-        button.setIcon(icon("run"))
-        button.setToolTip(tr("Open the Processing dialog with these values"))
+        button.setText(text)
+        button.setIcon(icon(name))
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)

@@ -11,6 +11,7 @@ from qgis.PyQt.QtGui import (
     QPainter,
     QPaintEvent,
     QPalette,
+    QTextOption,
 )
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
@@ -97,9 +98,8 @@ class MuogramView(QWidget):
         room = QRectF(image.rect()).adjusted(margin, margin, -margin, -margin)
         lines = "\n".join(describe(self._scene.muogram))
         painter.setPen(QColor("black"))
-        wrapped = int(Qt.TextFlag.TextWordWrap)
-        used = painter.drawText(room, wrapped, lines)
-        room.setTop(used.bottom() + margin / 2)
+        painter.drawText(room, lines, QTextOption())
+        room.setTop(painter.boundingRect(room, lines, QTextOption()).bottom() + margin / 2)
         paint(painter, room, self._scene, palette)
         painter.end()
         return image
@@ -114,8 +114,8 @@ class MuogramView(QWidget):
         room = QRectF(self.rect())
         if self._scene is None:
             painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
-            flags = int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap)
-            painter.drawText(room.adjusted(12, 12, -12, -12), flags, self.reason)
+            option = QTextOption(Qt.AlignmentFlag.AlignCenter)
+            painter.drawText(room.adjusted(12, 12, -12, -12), self.reason, option)
         else:
             self._layout = paint(painter, room, self._scene, self.palette(), self._marked)
         painter.end()

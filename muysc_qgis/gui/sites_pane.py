@@ -7,6 +7,7 @@ from collections.abc import Callable
 from qgis.core import QgsCoordinateTransform, QgsProject, QgsVectorLayer
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QShowEvent
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -67,22 +68,20 @@ class SitesPane(QWidget):
         layout.addWidget(self.table)
         layout.addWidget(self.told)
         planner.previewed.connect(self._compare)
-        planner.emptied.connect(lambda reason: self._compare())
+        planner.emptied.connect(self._compare)
         project = QgsProject.instance()
         project.layersAdded.connect(self.reload)
         project.layersRemoved.connect(self.reload)
-        project.writeProject.connect(self._store)
-        project.readProject.connect(self._restore)
+        project.readProject.connect(self.reload)
         self._watched: str | None = None
-        self._restore()
+        self.reload()
 
     def release(self) -> None:
         """Stop for good."""
         project = QgsProject.instance()
         project.layersAdded.disconnect(self.reload)
         project.layersRemoved.disconnect(self.reload)
-        project.writeProject.disconnect(self._store)
-        project.readProject.disconnect(self._restore)
+        project.readProject.disconnect(self.reload)
         self._watch(None)
         self.comparison.close()
 
@@ -128,12 +127,9 @@ class SitesPane(QWidget):
 
     # What happens elsewhere.
 
-    def _store(self, *_: object) -> None:
-        sites.store_sites()
-
-    def _restore(self, *_: object) -> None:
-        sites.restore_sites()
-        self.reload()
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._compare()
 
     def _watch(self, layer: QgsVectorLayer | None) -> None:
         """Follow what the user does to the layer by other means."""
@@ -168,7 +164,8 @@ class SitesPane(QWidget):
         preview = self._planner.preview
         if preview is None or not preview.coarse:
             self._show_figures()
-            if self._planner.can_compare:
+            # Nobody needs figures that are folded away.
+            if self._planner.can_compare and self.isVisible():
                 self.comparison.compare(self._planner.plan, self.listed)
             else:
                 self.comparison.stop()
@@ -253,6 +250,9 @@ def _table() -> QTableWidget:
     table = QTableWidget(0, len(_COLUMNS))
     table.setHorizontalHeaderLabels([tr(title) for title in _COLUMNS])
     table.verticalHeader().setVisible(False)
+    triggers = QAbstractItemView.EditTrigger
+    # A double click uses a site.
+    table.setEditTriggers(triggers.SelectedClicked | triggers.EditKeyPressed)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     header = table.horizontalHeader()
     header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)

@@ -37,6 +37,8 @@ def iface(qgis_application, project):
 
     window, canvas, bar = QMainWindow(), QgsMapCanvas(), QgsMessageBar()
     window.setCentralWidget(canvas)
+    # The tests look at what stands on the map, not at its picture.
+    canvas.setRenderFlag(False)
     window.resize(1200, 900)
     project.setCrs(QgsCoordinateReferenceSystem(UTM))
     canvas.setDestinationCrs(project.crs())
@@ -148,7 +150,9 @@ class Hand:
         QTest.mousePress(self.canvas.viewport(), left, none, first)
         for step in range(1, dots + 1):
             position = QPointF(first + QPoint(step, 0))
-            move = QMouseEvent(QEvent.Type.MouseMove, position, Qt.MouseButton.NoButton, left, none)
+            move = QMouseEvent(
+                QEvent.Type.MouseMove, position, position, Qt.MouseButton.NoButton, left, none
+            )
             QApplication.sendEvent(self.canvas.viewport(), move)
         return first + QPoint(dots, 0)
 

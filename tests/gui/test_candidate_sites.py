@@ -11,6 +11,7 @@ def sites(gui):
 
 @pytest.fixture
 def two_sites(planned, hand):
+    planned.places.setCollapsed(False)
     planned.sites.add.click()
     hand.take("detector")
     hand.click(14.43, 40.80)
@@ -135,3 +136,29 @@ def test_a_layer_of_another_origin_may_lack_name_and_height(project, sites, dock
     dock.sites.reload()
     assert column(dock, 0) == ["Site 1"]
     assert dock.sites.listed[0].height_m == 0
+
+
+def test_figures_that_are_folded_away_cost_nothing(two_sites, hand):
+    two_sites.places.setCollapsed(True)
+    two_sites.form.muons.setValue(100)
+    hand.wait(lambda: not two_sites.planner.busy)
+    assert not two_sites.sites.comparison.busy
+    assert column(two_sites, 3) == ["…", "…"]
+    two_sites.places.setCollapsed(False)
+    hand.settle()
+    assert "…" not in column(two_sites, 3)
+
+
+def test_the_layer_is_filled_and_kept_without_the_dock(gui, iface, project, sites, tmp_path):
+    desktop = gui("desktop").Desktop(iface)
+    layer = sites.make_layer(project.crs())
+    sites.add_site(layer, "Ridge", gui("plan").Place(14.41, 40.81, "EPSG:4326"), 2.0)
+    path = str(tmp_path / "sites.qgz")
+    assert project.write(path)
+    project.clear()
+    assert project.read(path)
+    assert [(one.name, one.height_m) for one in sites.sites_of(sites.find_layer())] == [
+        ("Ridge", 2.0)
+    ]
+    assert desktop.dock is None
+    desktop.remove()

@@ -15,6 +15,7 @@ def move(view, position):
     event = QMouseEvent(
         QEvent.Type.MouseMove,
         QPointF(position),
+        QPointF(position),
         Qt.MouseButton.NoButton,
         Qt.MouseButton.NoButton,
         Qt.KeyboardModifier.NoModifier,

@@ -223,7 +223,7 @@ def test_the_dialog_is_filled_in(planned, monkeypatch):
 
 
 def test_the_command_computes_the_same(planned, qgis_application):
-    planned.copy.click()
+    planned.copy.menu().actions()[0].trigger()
     program, verb, algorithm, *options = shlex.split(qgis_application.clipboard().text())
     assert (program, verb, algorithm) == ("qgis_process", "run", "muysc:radiography")
     parameters = dict(option.removeprefix("--").split("=", 1) for option in options)
