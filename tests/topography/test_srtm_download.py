@@ -2,6 +2,7 @@
 
 import hashlib
 import subprocess
+import threading
 
 import numpy as np
 import pytest
@@ -274,6 +275,26 @@ def test_the_checksums_are_those_of_sha256sum(cache):
     assert sorted(path.name for path in checksum.parent.iterdir()) == [
         "N40E014.sha256", "N40E014.tile",
     ]  # fmt: skip
+
+
+def test_runs_that_share_a_cache_never_see_half_a_tile(cache):
+    """One writer's tile may meet the other's checksum, and is not used then."""
+    contents = [bytes([number]) * 300_000 for number in (1, 2)]
+
+    def write(content):
+        for _ in range(50):
+            cache.write(Tile(40, 14), content)
+
+    writers = [threading.Thread(target=write, args=(content,)) for content in contents]
+    for writer in writers:
+        writer.start()
+    seen = {cache.read(Tile(40, 14)) for _ in range(200)}
+    for writer in writers:
+        writer.join()
+    assert seen <= {None, *contents}
+    cache.write(Tile(40, 14), contents[0])
+    assert cache.read(Tile(40, 14)) == contents[0]
+    assert len(list(cache.folder.rglob("*.*"))) == 2
 
 
 def test_a_cache_that_cannot_be_written_is_told(server, tmp_path):
