@@ -147,7 +147,8 @@ def read_reconstruction(
         edge_density=number_of("EDGE_DENSITY") or 0.0,
         prior_deviation=number_of("PRIOR_DEVIATION") or 0.0,
         correlation_length_m=number_of("CORRELATION_LENGTH") or 0.0,
-        posterior_samples=read_count(*read, "POSTERIOR_SAMPLES", context) if errors_wanted else 0,
+        deviation=errors_wanted,
+        posterior_samples=read_count(*read, "POSTERIOR_SAMPLES", context),
     )
     return TomographyChoices(
         method=read_choice(*read, "METHOD", context),

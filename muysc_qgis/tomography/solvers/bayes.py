@@ -28,8 +28,8 @@ def solve(system: System, settings: Settings, progress: Progress) -> Reconstruct
 
     Tarantola 2005 (doi:10.1137/1.9780898717921), section 3.2. Densities are not kept within
     bounds, which no Gaussian is. The posterior's standard deviations follow in full for up to
-    2000 rays; for more, from draws of prior and data if asked for: the error of each draw's solution is a
-    draw of the posterior, so that n draws give deviations to a relative 1/√(2n).
+    2000 rays; for more, from draws of prior and data if asked for: the error of each draw's
+    solution is a draw of the posterior, so that n draws give deviations to a relative 1/√(2n).
 
     Raises
     ------
@@ -48,9 +48,10 @@ def solve(system: System, settings: Settings, progress: Progress) -> Reconstruct
         else np.full(system.lattice.count, settings.prior_density)
     )
     residual = system.data - system.paths.forward(prior)
-    draws = settings.posterior_samples
+    draws = settings.posterior_samples if settings.deviation else 0
     n_rays, n_unknowns = system.paths.shape
-    dense = n_rays <= _MOST_DENSE and n_rays * n_unknowns <= _MOST_NUMBERS
+    small = n_rays <= _MOST_DENSE and n_rays * n_unknowns <= _MOST_NUMBERS
+    dense = settings.deviation and small
     whole = part(progress, 0.0, 1.0 if dense or not draws else 1.0 / (1 + draws))
     change, done, finished = posterior.update(residual, whole)
     deviation = None

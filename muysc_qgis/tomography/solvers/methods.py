@@ -134,6 +134,7 @@ def reconstruct(
         prior_density=options.prior_density,
         prior_deviation=options.prior_deviation,
         correlation_length_m=options.correlation_length_m,
+        deviation=options.deviation,
         posterior_samples=options.posterior_samples,
         seed=options.seed,
     )

@@ -42,6 +42,8 @@ class Options:
     prior_density: float | None = None
     prior_deviation: float = 0.3
     correlation_length_m: float = 100.0
+    #: Whether the Bayesian method tells the errors of the densities, which takes long.
+    deviation: bool = True
     #: Draws from the posterior for the error of large models; 0 leaves it out.
     posterior_samples: int = 0
     #: Seed of everything drawn.
@@ -93,6 +95,7 @@ class Settings:
     correlation_length_m: float
     posterior_samples: int
     seed: int
+    deviation: bool = True
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,333 @@
+"""From muograms of several stations to densities, on the real Vesuvius."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from pyproj import Geod
+
+from muysc_qgis.errors import Cancelled, MuyscError
+from muysc_qgis.muogram import Muogram
+from muysc_qgis.radiography.aperture import Aperture
+from muysc_qgis.radiography.settings import Physics
+from muysc_qgis.tomography.figures_of_merit import contrast_recovered
+from muysc_qgis.tomography.operators import projector_of
+from muysc_qgis.tomography.phantoms import conduit, share_inside, with_body
+from muysc_qgis.tomography.solvers import Options
+from muysc_qgis.topography.dem import open_dem
+from muysc_qgis.topography.frame import from_wgs84
+from muysc_qgis.topography.sight import take_sight
+from muysc_qgis.workflows import tomography as workflow
+from muysc_qgis.workflows.muogram_data import NamedView, bare_stations, read_survey
+from muysc_qgis.workflows.simulation import Telescope, simulate
+from muysc_qgis.workflows.station_data import rock_of_all
+from muysc_qgis.workflows.tomography import (
+    NO_VALUE,
+    TomographyChoices,
+    projection_of,
+    reconstruct_volume,
+    survey,
+    tomography,
+)
+from muysc_qgis.workflows.volume_plan import VolumePlan
+
+#: The crater, and how far from it the stations stand.
+CRATER, AWAY_M, STATIONS = (14.4265, 40.8215), 1500.0, 6
+DENSITY = 2.4
+#: The cone, in the UTM zone.
+PLAN = VolumePlan((450_600, 452_700, 4_518_000, 4_520_100), 100.0, None, 700.0, 1300.0)
+
+
+@pytest.fixture(scope="module")
+def dem(data_folder):
+    return open_dem(data_folder / "vesuvius_srtmgl1.tif")
+
+
+@pytest.fixture(scope="module")
+def simulations(dem):
+    """What telescopes all around the cone see if it is of one density."""
+    target = from_wgs84(dem.crs, *CRATER)
+    found = []
+    for azimuth in np.arange(STATIONS) * 360.0 / STATIONS:
+        place = Geod(ellps="WGS84").fwd(*CRATER, azimuth, AWAY_M)[:2]
+        sight = take_sight(dem, from_wgs84(dem.crs, *place), target, 2.0, 60.0)
+        physics = Physics(density_g_cm3=DENSITY)
+        found.append(simulate(sight, Aperture(60, 24, 24, 14), physics, Telescope()))
+    return found
+
+
+def views(simulations, quantity):
+    return [
+        NamedView(f"site_{number}_{quantity}", one.muograms[quantity])
+        for number, one in enumerate(simulations)
+    ]
+
+
+def changed(one, quantity, values, **metadata):
+    """Another quantity on the directions of a muogram."""
+    return NamedView(f"{one.name}_{quantity}", one.view.with_values(quantity, values, **metadata))
+
+
+@pytest.fixture(scope="module")
+def lines(dem, simulations):
+    """Rays through the cone, without data."""
+    return survey(bare_stations(views(simulations, "opacity")), dem, PLAN)
+
+
+def filled(lines, opacity, error):
+    """The rays with an opacity and a relative error each."""
+    pairs = zip(lines.stations, lines.per_pixel(opacity), lines.per_pixel(error * opacity))
+    return replace(lines, stations=tuple(one.with_opacity(*pair) for one, *pair in pairs))
+
+
+def test_every_quantity_leads_to_the_density_of_a_uniform_mountain(dem, simulations):
+    choices = TomographyChoices("sirt", Options(iterations=5), relative_error=0.05)
+    for quantity in ("opacity", "thickness", "flux", "transmission"):
+        data = read_survey(views(simulations, quantity), [], dem)
+        result = tomography(data.stations, dem, PLAN, choices, rock=data.rock)
+        assert result.reference_density == pytest.approx(DENSITY, rel=1e-4), quantity
+        np.testing.assert_allclose(result.density.values[result.density.known], DENSITY, rtol=2e-4)
+
+
+def test_mean_densities_along_rays_are_data_too(dem, simulations):
+    given = views(simulations, "thickness")
+    densities = [
+        changed(one, "density", np.where(one.view.values > 0, DENSITY, np.nan)) for one in given
+    ]
+    data = read_survey(densities, [], dem)
+    result = tomography(data.stations, dem, PLAN, TomographyChoices("lsmr"), rock=data.rock)
+    np.testing.assert_allclose(result.density.values[result.density.known], DENSITY, rtol=1e-4)
+
+
+def test_rock_outside_the_volume_has_the_reference_density(lines):
+    """A mountain of 2.2 in the volume and 2.6 around it."""
+    density = np.full(lines.lattice.count, 2.2)
+    opacity = lines.opacity(projector_of(lines.paths).forward(density).astype(float), 2.6)
+    options = Options(iterations=100, discrepancy=0)
+    choices = TomographyChoices("sirt", options, reference_density=2.6)
+    result = reconstruct_volume(filled(lines, opacity, 1e-4), choices)
+    seen = result.coverage.values > 10
+    assert np.median(result.density.values[seen]) == pytest.approx(2.2, abs=0.005)
+    assert result.relative_residual < 1e-3
+
+
+@pytest.mark.parametrize("method", ["bayes", "tv"])
+def test_a_light_conduit_is_found_where_it_is(lines, method):
+    """Data from voxels of half the size, so that the model that is sought cannot be exact."""
+    x, y = lines.frame.place(*CRATER)
+    east, north = (float(one) for one in lines.frame.local(np.array(x), np.array(y)))
+    body = conduit((east, north), 250.0, 700.0, 1000.0)
+    grid = lines.frame.metric(lines.grid)
+    fine = replace(lines.paths, grid=grid.resized([size / 2 for size in grid.size_m]), column=None)
+    density = with_body(2.6, share_inside(fine.grid, body), 2.1)
+    opacity = lines.opacity(projector_of(fine).forward(density.ravel()).astype(float), 2.6)
+    error = 0.01
+    noise = 1 + error * np.random.default_rng(3).standard_normal(len(opacity))
+    result = reconstruct_volume(
+        filled(lines, opacity * noise, error),
+        TomographyChoices(method, Options(deviation=False), reference_density=2.6),
+    )
+    share = share_inside(grid, body)
+    truth = with_body(2.6, share, 2.1)
+    assert 0.45 < contrast_recovered(result.density.values, truth, share > 0.5) < 1.1
+    lightest = np.unravel_index(np.nanargmin(result.density.values), grid.shape)
+    assert share[lightest] > 0.5
+    assert 0.3 < result.chi_squared < 1.3
+
+
+def test_air_and_unseen_voxels_are_unknown_and_all_is_counted(dem, simulations):
+    given = views(simulations, "opacity")
+    holes = given[0].view.values.copy()
+    holes[5:8] = np.nan
+    given[0] = changed(given[0], "opacity", holes)
+    data = read_survey(given, [], dem)
+    result = tomography(data.stations, dem, PLAN, TomographyChoices("sirt"), rock=data.rock)
+    rays, density = result.coverage.values, result.density.values
+    assert np.array_equal(np.isnan(density), ~(rays > 0))
+    assert np.count_nonzero(np.isfinite(rays)) == result.rock_voxels
+    assert np.count_nonzero(rays == 0) == result.unseen_voxels > 0
+    assert result.rays + sum(result.lost.values()) == sum(one.view.values.size for one in given)
+    known = np.isfinite(simulations[0].muograms["opacity"].values[5:8])
+    assert 0 < result.lost[NO_VALUE] <= np.count_nonzero(known)
+    assert sum(one.rays for one in result.residuals) == result.rays
+
+
+def test_without_a_mask_the_sky_shows_where_the_air_is(dem, simulations):
+    data = read_survey(views(simulations, "opacity"), [], dem)
+    choices = TomographyChoices("sirt", Options(iterations=60), mask=False)
+    plan = replace(PLAN, top_m=1600.0)
+    result = tomography(data.stations, dem, plan, choices, rock=data.rock)
+    slices = np.nanmean(result.density.values, axis=(0, 1))
+    assert slices[0] > 2.0  # rock nearly everywhere
+    assert slices[-1] < 0.3  # above the summit
+
+
+def test_recomputed_paths_give_the_same_as_the_matrix_and_are_told(lines, monkeypatch):
+    # So few rays need less memory than the voxels, which come first.
+    monkeypatch.setattr(workflow, "_FEW_NUMBERS_PER_VOXEL", 1)
+    opacity = 100 * 2.4 * lines.thickness_m * (1 + 0.1 * np.sin(np.arange(len(lines.thickness_m))))
+    lines = filled(lines, opacity, 0.01)
+    options = Options(iterations=3, discrepancy=0)
+    stored, anew = (
+        reconstruct_volume(lines, TomographyChoices("sirt", options, memory_bytes=memory))
+        for memory in (1 << 30, 150_000)
+    )
+    np.testing.assert_allclose(stored.density.values, anew.density.values, rtol=1e-4)
+    assert not stored.warnings
+    assert "recomputed at every step" in anew.warnings[0]
+    assert "use voxels of" in anew.warnings[0]
+
+
+def test_voxels_that_do_not_fit_name_a_size_that_does(lines):
+    with pytest.raises(MuyscError, match=r"voxels of 100 m need about .* use voxels of 1\d\d m or"):
+        reconstruct_volume(filled(lines, lines.thickness_m, 0.1), TomographyChoices(
+            "sirt", memory_bytes=300_000))  # fmt: skip
+
+
+def test_one_station_is_warned_of(dem, simulations):
+    data = read_survey(views(simulations, "opacity")[:1], [], dem)
+    result = tomography(data.stations, dem, PLAN, TomographyChoices("sirt"), rock=data.rock)
+    assert any("one station only" in warning for warning in result.warnings)
+
+
+def test_a_start_that_explains_the_data_is_told(dem, simulations):
+    data = read_survey(views(simulations, "opacity"), [], dem)
+    choices = TomographyChoices("sirt", relative_error=0.05)
+    result = tomography(data.stations, dem, PLAN, choices, rock=data.rock)
+    assert result.reconstruction.iterations_done == 0
+    assert any("One density of 2.4 g/cm³ explains the data" in text for text in result.warnings)
+
+
+def test_errors_find_their_muograms_in_any_order(dem, simulations):
+    given = views(simulations, "opacity")[:3]
+    errors = [
+        changed(one, "opacity_error", np.full(one.view.values.shape, 100.0 * (number + 1)))
+        for number, one in enumerate(given)
+    ]
+    data = read_survey(given, errors[::-1], dem)
+    assert [np.nanmedian(one.error) for one in data.stations] == [100, 200, 300]
+
+
+def test_errors_of_a_flux_become_those_of_the_opacity(dem, simulations):
+    """σ(ln ϱ) = σ(ln I) / |d ln I/d ln ϱ|, with the slope by finite differences of the data."""
+    given = views(simulations, "flux")[:1]
+    share = 0.01
+    errors = [changed(one, "flux_error", share * one.view.values) for one in given]
+    (station,) = read_survey(given, errors, dem).stations
+    brighter = changed(given[0], "flux", given[0].view.values * (1 - share))
+    (denser,) = read_survey([replace(brighter, name=given[0].name)], [], dem).stations
+    rock = station.opacity > 1e4
+    np.testing.assert_allclose(
+        station.error[rock], (denser.opacity - station.opacity)[rock], rtol=0.03
+    )
+
+
+def test_the_suggested_volume_holds_the_cone(dem, simulations):
+    bare = bare_stations(views(simulations, "opacity"))
+    lines = survey(bare, dem, VolumePlan(voxels=30))
+    x, y = lines.frame.place(*CRATER)
+    for axis, place in ((0, x), (1, y)):
+        assert lines.grid.origin_m[axis] + 500 < place < lines.grid.end_m[axis] - 500
+    assert lines.grid.end_m[2] > 1262  # the summit
+    assert 20 <= max(lines.grid.shape) <= 31
+    assert lines.inside_m.sum() > 0.6 * lines.thickness_m.sum()
+
+
+def test_a_run_can_be_stopped(dem, simulations):
+    data = read_survey(views(simulations, "opacity"), [], dem)
+    for most in (0.1, 0.4, 0.8):
+        with pytest.raises(Cancelled):
+            tomography(
+                data.stations, dem, PLAN, TomographyChoices("tv", relative_error=0.001),
+                progress=lambda done, most=most: done < most,
+            )  # fmt: skip
+
+
+REFUSALS = [
+    (lambda v: [v["opacity"][0], v["flux"][1]], [], r"different quantities: opacity .* and flux"),
+    (lambda v: [], [], r"No muogram is given"),
+    (lambda v: [changed(v["flux"][0], "counts", v["flux"][0].view.values)], [],
+     r"hold counts, and opacity follows from density, opacity, flux"),
+    (lambda v: v["opacity"][:2], lambda v: v["flux"][:1], r"are opacity_error; choose such"),
+    (lambda v: v["opacity"][1:3],
+     lambda v: [changed(v["opacity"][0], "opacity_error", v["opacity"][0].view.values)],
+     r"belong to none of the muograms"),
+    (lambda v: v["opacity"][:2],
+     lambda v: [changed(v["opacity"][0], "opacity_error", v["opacity"][0].view.values)],
+     r"site_1_opacity has no errors, which 1 of 2 muograms have"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("muograms", "errors", "sentence"), REFUSALS)
+def test_muograms_that_do_not_go_together_are_refused(dem, simulations, muograms, errors, sentence):
+    given = {name: views(simulations, name) for name in ("opacity", "flux")}
+    with pytest.raises(MuyscError, match=sentence):
+        read_survey(muograms(given), errors(given) if errors else [], dem)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "key"),
+    [("opacity", "DETECTOR_LON"), ("flux", "FLUX_MODEL"), ("thickness", "DENSITY")],
+)
+def test_missing_metadata_name_the_key_and_the_file(dem, simulations, quantity, key):
+    one = views(simulations, quantity)[0]
+    metadata = {name: value for name, value in one.view.metadata.items() if name != key}
+    bare = Muogram(
+        quantity, one.view.values, one.view.azimuth_deg, one.view.elevation_deg, metadata
+    )
+    with pytest.raises(MuyscError, match=rf"site_0_{quantity} .*lacks the metadata key {key} \("):
+        read_survey([NamedView(one.name, bare)], [], dem)
+
+
+@pytest.mark.parametrize(
+    ("plan", "sentence"),
+    [
+        (lambda: replace(PLAN, base_m=1300.0), r"base of the volume at 1300 m is not below its"),
+        (lambda: replace(PLAN, voxel_size_m=0.0), r"voxel size of 0 m cannot be used"),
+        (lambda: VolumePlan(voxels=0), r"0 voxels along the longest side are too few"),
+        (lambda: replace(PLAN, top_m=None, base_m=1400.0), r"base of the volume at 1400 m is not"),
+        (lambda: replace(PLAN, extent=(453_000, 453_300, 4_514_000, 4_514_300),
+                         base_m=-500.0),
+         r"None of the \d+ rays in rock crosses rock of the volume"),
+        (lambda: replace(PLAN, extent=(453_000, 453_300, 4_514_000, 4_514_300), base_m=None),
+         r"No ray meets rock between x 453000 and 453300"),
+        (lambda: replace(PLAN, extent=(400_000, 452_000, 4_518_000, 4_520_000)),
+         r"no heights for \d+ % of the volume"),
+    ],
+)  # fmt: skip
+def test_volumes_that_cannot_be_are_refused(dem, simulations, plan, sentence):
+    bare = bare_stations(views(simulations, "opacity"))
+    with pytest.raises(MuyscError, match=sentence):
+        survey(bare, dem, plan())
+
+
+@pytest.mark.parametrize(
+    ("choices", "sentence"),
+    [
+        ({"method": "fbp"}, r"Filtered back-projection needs parallel rays all around"),
+        ({"reference_density": 0.0}, r"reference density of 0 g/cm³ is not that of any rock"),
+        ({"relative_error": -0.1}, r"relative error of -0.1 cannot be used"),
+        ({"memory_bytes": 0}, r"memory of 0 GiB holds no path"),
+    ],
+)
+def test_choices_that_mean_nothing_are_refused(choices, sentence):
+    with pytest.raises(MuyscError, match=sentence):
+        TomographyChoices(**choices)
+
+
+def test_bayes_without_errors_says_what_it_needs(lines):
+    bare = tuple(
+        one.with_opacity(opacity, None)
+        for one, opacity in zip(lines.stations, lines.per_pixel(lines.thickness_m))
+    )
+    with pytest.raises(MuyscError, match=r"needs the standard errors of the data"):
+        reconstruct_volume(replace(lines, stations=bare), TomographyChoices("bayes"))
+    with pytest.raises(MuyscError, match=r"has no opacities; simulate or read them first"):
+        reconstruct_volume(lines, TomographyChoices("sirt"))
+
+
+def test_stations_need_the_terrain(dem, simulations):
+    (one,) = bare_stations(views(simulations, "opacity")[:1])
+    with pytest.raises(MuyscError, match=r"detector of site_0_opacity .* is off the DEM"):
+        rock_of_all([replace(one, longitude=20.0)], dem)
+    assert projection_of([one], dem).to_epsg() == 32633
