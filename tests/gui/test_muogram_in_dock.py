@@ -5,23 +5,8 @@ import sys
 import numpy as np
 import pytest
 from qgis.core import QgsCoordinateReferenceSystem, QgsDistanceArea, QgsProject
-from qgis.PyQt.QtCore import QEvent, QPointF, Qt
-from qgis.PyQt.QtGui import QColor, QMouseEvent
-from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication
-
-
-def move(view, position):
-    event = QMouseEvent(
-        QEvent.Type.MouseMove,
-        QPointF(position),
-        QPointF(position),
-        Qt.MouseButton.NoButton,
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-    )
-    QApplication.sendEvent(view, event)
-    QTest.qWait(5)
+from qgis.PyQt.QtCore import QPointF
+from qgis.PyQt.QtGui import QColor
 
 
 def through_rock(preview):
@@ -81,9 +66,9 @@ def test_the_skyline_runs_between_rock_and_sky_only(gui):
 
 
 def test_hovering_tells_the_values_of_a_pixel(planned, hand):
-    view, preview = planned.muogram.view, planned.planner.preview
+    preview = planned.planner.preview
     row, column = through_rock(preview)
-    move(view, hand.pixel_event(row, column))
+    hand.hover(row, column)
     flux = preview.muogram("flux")
     said = planned.muogram.readout.text().replace("\u00a0", " ").replace("\u2060", "")
     azimuth, elevation = flux.azimuth_deg[column] % 360, flux.elevation_deg[row]
@@ -98,9 +83,9 @@ def test_hovering_tells_the_values_of_a_pixel(planned, hand):
 
 
 def test_hovering_draws_the_ray_as_far_as_it_is_in_rock(planned, hand, iface):
-    view, preview = planned.muogram.view, planned.planner.preview
+    preview = planned.planner.preview
     row, column = through_rock(preview)
-    move(view, hand.pixel_event(row, column))
+    hand.hover(row, column)
     drawn = planned.planner.items.ray_in_rock
     measure = QgsDistanceArea()
     measure.setSourceCrs(
@@ -112,24 +97,20 @@ def test_hovering_draws_the_ray_as_far_as_it_is_in_rock(planned, hand, iface):
     thickness = preview.muogram("thickness").values[row, column]
     # The section is straight between the grid lines where the terrain is bilinear.
     assert measure.measureLength(drawn) / np.cos(elevation) == pytest.approx(thickness, rel=0.01)
-    move(view, QPointF(1, 1))
+    hand.move(QPointF(1, 1))
     assert planned.planner.items.ray_in_rock.isEmpty()
     assert "Target" in planned.muogram.readout.text()
 
 
 def test_a_ray_into_the_sky_has_no_rock_on_the_map(planned, hand):
-    move(planned.muogram.view, hand.pixel_event(0, 50))
+    hand.hover(0, 50)
     assert planned.planner.items.ray_in_rock.isEmpty()
     assert "Open sky" in planned.muogram.readout.text()
 
 
 def test_clicking_a_pixel_shows_its_section(planned, hand):
     pixel = through_rock(planned.planner.preview)
-    view = planned.muogram.view
-    place = hand.pixel_event(*pixel).toPoint()
-    QTest.mouseClick(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
-    window = planned.muogram.section
-    hand.wait(lambda: not window.busy)
+    window = hand.open_section(*pixel)
     assert window.picture.image.width() > 1000
     assert window.isVisible()
 
@@ -141,14 +122,7 @@ def test_without_matplotlib_a_sentence_stands_in_for_the_section(planned, hand, 
     planned.form.azimuth.setValue(50)
     hand.settle()
     assert planned.planner.preview is not None
-    QTest.mouseClick(
-        planned.muogram.view,
-        Qt.MouseButton.LeftButton,
-        Qt.KeyboardModifier.NoModifier,
-        hand.pixel_event(60, 50).toPoint(),
-    )
-    window = planned.muogram.section
-    hand.wait(lambda: not window.busy)
+    window = hand.open_section(60, 50)
     assert "matplotlib" in window.told.text()
     assert window.picture.image.isNull()
 
