@@ -13,6 +13,8 @@ from qgis.core import (
     QgsProcessingParameterBoolean,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterPoint,
     QgsProcessingParameterRasterLayer,
@@ -22,10 +24,11 @@ from ...muysc_qgis.radiography.gaisser import GAISSER_PARAMETERS
 from ...muysc_qgis.radiography.materials import MATERIALS
 from ...muysc_qgis.radiography.spectra import MODELS
 from ...muysc_qgis.telescope.presets import CUSTOM, PRESETS
+from ...muysc_qgis.tomography.solvers import METHODS
 from ..parameters.telescope import NONE
 
 #: Units that labels of parameters end with, and what comes before the stand-in for no value.
-_UNITS = ("m", "cm", "°", "g/cm³", "cm² sr", "GeV", "days", "%")
+_UNITS = ("m", "cm", "°", "g/cm³", "cm² sr", "GeV", "days", "%", "GiB")
 _EMPTY = "empty: "
 
 #: Sizes of a telescope, which a preset replaces.
@@ -37,7 +40,24 @@ _TITLED: dict[str, Mapping[str, Any]] = {
     "FLUX_MODEL": MODELS,
     "GAISSER_PARAMETERS": GAISSER_PARAMETERS,
     "PRESET": PRESETS,
+    "METHOD": METHODS,
 }
+
+#: Settings of a reconstruction that only some methods read.
+_ART = ("art", "bart", "sart", "sirt")
+_PENALISED = ("pml-quad", "pml-hybrid", "ospml-quad", "ospml-hybrid")
+_OF_METHODS = {
+    "RELAXATION": _ART,
+    "REGULARIZATION": (*_PENALISED, "tv", "grad", "tikhonov", "lsmr"),
+    "SUBSETS": ("bart", "osem", "ospml-quad", "ospml-hybrid"),
+    "EDGE_DENSITY": ("pml-hybrid", "ospml-hybrid"),
+    "PRIOR_DEVIATION": ("bayes",),
+    "CORRELATION_LENGTH": ("bayes",),
+    "POSTERIOR_SAMPLES": ("bayes",),
+}
+
+#: Files of a list that are named; of more, the first ones and how many there are.
+_NAMED_FILES = 8
 
 
 def told(
@@ -82,6 +102,10 @@ def _value(
     if isinstance(definition, QgsProcessingParameterRasterLayer):
         layer = algorithm.parameterAsRasterLayer(*read)
         return str(value) if layer is None else Path(layer.source()).name
+    if isinstance(definition, QgsProcessingParameterMultipleLayers):
+        return _files([layer.source() for layer in algorithm.parameterAsLayerList(*read)])
+    if isinstance(definition, QgsProcessingParameterFeatureSource) and isinstance(value, str):
+        return _files([value])
     if isinstance(definition, QgsProcessingParameterEnum) and isinstance(value, str):
         return _title(definition.name(), value)
     if isinstance(value, (str, float, int)):
@@ -89,6 +113,14 @@ def _value(
     if isinstance(value, list) and all(isinstance(one, (str, int, float)) for one in value):
         return ", ".join(map(str, value))
     return str(definition.valueAsPythonString(value, context)).strip("'")
+
+
+def _files(sources: list[str]) -> str:
+    """Return the names of files, without their folders and what follows them."""
+    names = [Path(source.partition("|")[0]).name for source in sources]
+    if len(names) <= _NAMED_FILES:
+        return ", ".join(names)
+    return f"{', '.join(names[: _NAMED_FILES - 1])} and {len(names) - _NAMED_FILES + 1} more"
 
 
 def _title(name: str, word: str) -> str:
@@ -129,4 +161,7 @@ def _without_effect(
         names |= {*_SIZES, *(["FORMULA"] if preset == NONE else [])}
     if model is not None and not model.startswith("gaisser"):
         names.add("GAISSER_PARAMETERS")
+    method = chosen("METHOD")
+    if method is not None:
+        names |= {name for name, methods in _OF_METHODS.items() if method not in methods}
     return names

@@ -83,7 +83,10 @@ def _draw_curve(axes: Axes, tomography: Tomography, level: float) -> None:
         axes.set_yticks(positions, [ticks.number_label(float(one)) for one in positions])
     else:
         axes.set_ylim(0.0, 1.08 * high)
-    axes.set_xlim(0, max(1, found.iterations_done))
+    most = max(1, found.iterations_done)
+    axes.set_xlim(0, most)
+    whole = ticks.multiples(0, most, max(1.0, ticks.round_step(most, 6)))
+    axes.set_xticks(whole, [ticks.number_label(float(one)) for one in whole])
     if level:
         axes.axhline(
             level, color=style.MUTED, linestyle=(0, (5, 2)), linewidth=1.0,

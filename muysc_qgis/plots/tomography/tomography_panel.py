@@ -11,7 +11,7 @@ import numpy as np
 from ...tomography.solvers import METHODS
 from ...topography.relief import Relief
 from ...workflows.tomography_result import Place, Tomography
-from .. import style
+from .. import style, ticks
 from ..frames import Frame, page_axes
 from ..legend import draw_legend
 from ..scales import draw_colour_bar
@@ -140,13 +140,14 @@ def _described(tomography: Tomography) -> list[str]:
     edges = " × ".join(f"{size:g}" for size in grid.size_m)
     voxels = " × ".join(map(str, grid.shape))
     stations = len(tomography.stations)
+    residual = ticks.number_label(float(f"{100 * tomography.relative_residual:.2g}"))
     return [
         f"{METHODS[tomography.method].title}, {found.iterations_done} iterations: "
         f"{_ENDED[found.stopped_by]}  ·  {stations} station{'s' * (stations > 1)}, "
         f"{tomography.rays} rays",
         f"{voxels} voxels of {edges} m, {tomography.seen_voxels} of {tomography.rock_voxels} with "
         f"rock crossed by rays  ·  reference density {tomography.reference_density:.3g} g/cm³, "
-        f"relative residual {100 * tomography.relative_residual:.2g} %",
+        f"relative residual {residual} %",
     ]
 
 
