@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import socket
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -88,6 +90,9 @@ def _connect(address: str) -> Client:
             "elsewhere), or leave SCHEDULER empty for this machine."
         ) from error
     try:
+        # A client that finds nobody keeps trying behind the scenes: a plain connection first.
+        host, _, port = address.rpartition("://")[2].rpartition(":")
+        socket.create_connection((host.strip("[]"), int(port)), _CONNECT_S).close()
         return Client(address, timeout=_CONNECT_S, set_as_default=False)
     except (OSError, ValueError) as error:
         raise MuyscError(
@@ -116,8 +121,6 @@ def _results(
     client: Client, job: Job, blocks: Mapping[int, Sequence[int]], pulse: Callable[[], None]
 ) -> Iterator[tuple[int, list[Any]]]:
     """Yield blocks as they are finished; ends early where the data was lost."""
-    from distributed import wait
-
     plain = {
         "function": job.function,
         "settings": dict(job.settings),
@@ -132,20 +135,18 @@ def _results(
         client.submit(compute, data, list(items), pure=False): block
         for block, items in blocks.items()
     }
-    waiting = set(futures)
     try:
-        while waiting:
+        while futures:
             pulse()
-            try:
-                done, waiting = wait(waiting, timeout=_PULSE_S, return_when="FIRST_COMPLETED")
-            except (TimeoutError, _dask_timeout()):
-                continue
+            done = [future for future in futures if future.status != "pending"]
+            if not done:
+                time.sleep(_PULSE_S)
             for future in done:
                 if future.status in ("lost", "cancelled"):
                     return
-                yield futures[future], _result(future)
+                yield futures.pop(future), _result(future)
     finally:
-        client.cancel([*futures, data])
+        client.cancel([*futures, data])  # what is left of them
 
 
 def _result(future: Future) -> list[Any]:
@@ -162,12 +163,6 @@ def _result(future: Future) -> list[Any]:
         f"The Dask workers could not compute a part ({error}); check their logs and memory, and "
         "run again to go on from the finished parts."
     ) from error
-
-
-def _dask_timeout() -> type[Exception]:
-    import asyncio
-
-    return asyncio.TimeoutError
 
 
 # What workers run is sent as code, because the plugin may have another name here than there.
