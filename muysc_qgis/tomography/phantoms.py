@@ -140,6 +140,37 @@ def conduit(centre_m: Sequence[float], radius_m: float, base_m: float, top_m: fl
     )
 
 
+def prism(rings_m: Sequence[np.ndarray], base_m: float, top_m: float) -> Body:
+    """Return what stands upright on a polygon between two heights.
+
+    Parameters
+    ----------
+    rings_m
+        (n, 2) east and north of the corners of each ring; within an even number of rings, as in
+        a hole, is outside.
+    base_m, top_m
+        Heights.
+
+    Raises
+    ------
+    MuyscError
+        If the height is not above 0.
+    """
+    _positive("height of the polygon's body", top_m - base_m)
+
+    def body(east: np.ndarray, north: np.ndarray, up: np.ndarray) -> np.ndarray:
+        inside = np.zeros(np.broadcast(east, north).shape, bool)
+        for ring in rings_m:
+            for (x, y), (next_x, next_y) in zip(ring, np.roll(ring, -1, axis=0)):
+                if y != next_y:
+                    # Edges that a line to the east crosses: an odd number of them is inside.
+                    passes = (y > north) != (next_y > north)
+                    inside ^= passes & (east < x + (next_x - x) * (north - y) / (next_y - y))
+        return inside & (up >= base_m) & (up <= top_m)
+
+    return body
+
+
 def checkerboard(origin_m: Sequence[float], edge_m: float) -> Body:
     """Return every other cube of a space filled with them, the one at `origin_m` not.
 
