@@ -69,6 +69,12 @@ def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
             "Whether densities below zero are lifted to it; bayes does not.",
             True, advanced=True,
         ),
+        number(
+            "HIGHEST_DENSITY", "Highest density (g/cm³, empty: none)",
+            "Give the density in g/cm³, above 0, that none may exceed, such as that of the rock "
+            "without pores; bayes knows none.",
+            None, 0, 30, advanced=True,
+        ),
         choice(
             "ORDERING", "Order of the rays",
             "interleaved: stations far apart take turns. sequential: as they come. random: drawn.",
@@ -143,6 +149,7 @@ def read_reconstruction(
         ordering=read_choice(*read, "ORDERING", context),
         subsets=count_of("SUBSETS"),
         nonnegative=algorithm.parameterAsBool(parameters, "NONNEGATIVE", context),
+        highest=number_of("HIGHEST_DENSITY"),
         discrepancy=number_of("DISCREPANCY") or 0.0,
         edge_density=number_of("EDGE_DENSITY") or 0.0,
         prior_deviation=number_of("PRIOR_DEVIATION") or 0.0,
