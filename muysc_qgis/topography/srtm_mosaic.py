@@ -216,7 +216,8 @@ def write_dem(
     try:
         dataset = gdal.GetDriverByName("GTiff").Create(
             str(path), columns, rows, 1, _gdal_type(mosaic),
-            ["COMPRESS=DEFLATE", f"PREDICTOR={predictor}", "TILED=YES", "BIGTIFF=IF_SAFER"],
+            ["COMPRESS=DEFLATE", f"PREDICTOR={predictor}", "TILED=YES", "BIGTIFF=IF_SAFER",
+             "NUM_THREADS=ALL_CPUS"],
         )  # fmt: skip
         dataset.SetGeoTransform(mosaic.grid.geotransform)
         dataset.SetProjection(crs.ExportToWkt())

@@ -280,6 +280,22 @@ def test_an_authentication_of_qgis_opens_a_server(
     assert fetch(AUTHCFG=authentication)["TILES"] == 1
 
 
+def test_the_proxy_of_qgis_is_used(fetch, tile_server, vesuvius_gzipped):
+    from qgis.core import QgsNetworkAccessManager
+    from qgis.PyQt.QtNetwork import QNetworkProxy
+
+    manager = QgsNetworkAccessManager.instance()
+    host, port = tile_server.url.removeprefix("http://").split(":")
+    kinds = QNetworkProxy.ProxyType
+    manager.setFallbackProxyAndExcludes(QNetworkProxy(kinds.HttpProxy, host, int(port)), [], [])
+    try:
+        # A proxy is asked for the whole address; no name ends in “invalid” (RFC 2606).
+        tile_server.files["http://tiles.invalid/N40E014.hgt.gz"] = vesuvius_gzipped
+        assert fetch(SOURCE="http://tiles.invalid/{tile}.hgt.gz")["TILES"] == 1
+    finally:
+        manager.setFallbackProxyAndExcludes(QNetworkProxy(kinds.NoProxy), [], [])
+
+
 def test_no_server_at_all(refused, tile_server):
     tile_server.stop()
     assert "failed 2 times: " in refused(RETRIES=1)
