@@ -21,6 +21,7 @@ from muysc_qgis.tomography.solvers import Reconstruction
 from muysc_qgis.tomography.voxels import VoxelGrid
 from muysc_qgis.topography.relief import Relief
 from muysc_qgis.volume import Volume
+from muysc_qgis.workflows.reconstruction_test import BodyFound, KnownModelResult
 from muysc_qgis.workflows.tomography_result import Place, StationResidual, Tomography
 
 #: 6 × 5 × 4 voxels of 100 × 100 × 50 m.
@@ -344,13 +345,22 @@ def test_the_report_tells_numbers_rays_and_warnings(on_the_map, dem):
     assert "&lt;b&gt;.tif" in document
 
 
-def test_the_report_of_a_test_holds_the_errors_of_the_paper(on_the_map, dem):
-    told = documents.known_model_report(on_the_map, on_the_map.density, dem, TOLD)
+def test_the_report_of_a_test_holds_bodies_and_the_errors_of_the_paper(on_the_map, dem):
+    bodies = (BodyFound("<conduit>", 12, 9, 0.8125), BodyFound("hidden", 3, 0, float("nan")))
+    found = KnownModelResult(on_the_map, on_the_map.density, bodies, 0.01, 0.02, -0.03, 1234.6)
+    told = documents.known_model_report(found, dem, TOLD)
     values = {row.label: (row.value, row.unit) for row in told.results}
+    assert values["Contrast found over the true one, <conduit>"] == (0.8125, "")
+    assert values["Voxels of <conduit> crossed by rays"] == ("9 of 12", "")
+    assert values["Mean of R − T"] == (-0.03, "g/cm³")
+    assert values["Muons counted"] == (1235, "")
     assert values["Top view, normalised: mean |ε|"] == (0, "")
     assert values["Front view: standard deviation of |ε|"] == (0, "km")
     assert told.figures[0].is_panel
     assert not told.figures[1].is_panel
+    document = report_html(told)
+    assert "&lt;conduit&gt;" in document
+    assert ">unknown<" in document
 
 
 def test_the_panel_is_drawn_on_the_terrain(on_the_map, dem):

@@ -12,7 +12,7 @@ import numpy as np
 from ...tomography.solvers import METHODS
 from ...topography.dem import Dem
 from ...topography.relief import Relief, relief_on_map
-from ...volume import Volume
+from ...workflows.reconstruction_test import KnownModelResult
 from ...workflows.tomography_result import Tomography
 from ..documents import Parameter, own_versions
 from ..report import OutputFile, PixelCount, Report, ReportFigure, Row
@@ -113,12 +113,10 @@ def report(
 
 
 def known_model_report(
-    tomography: Tomography,
-    truth: Volume,
+    found: KnownModelResult,
     dem: Dem,
     told: Told,
     *,
-    figures_of_merit: Sequence[Row] = (),
     warnings: Sequence[str] = (),
     discrepancy: float = 1.0,
 ) -> Report:
@@ -126,12 +124,12 @@ def known_model_report(
 
     Parameters
     ----------
-    tomography, truth, dem
-        What was reconstructed, what was to be found, and the terrain.
+    found
+        What was to be found, and what was.
+    dem
+        Terrain.
     told
         Parameters, files and versions.
-    figures_of_merit
-        How near both are, by other measures than the paper's.
     warnings
         A sentence each.
     discrepancy
@@ -140,27 +138,44 @@ def known_model_report(
     Raises
     ------
     MuyscError
-        If matplotlib is missing, the models do not fit or the DEM cannot be read.
+        If matplotlib is missing or the DEM cannot be read.
     """
+    tomography = found.tomography
     drawn = [
         ReportFigure(
             "Original, reconstruction and their difference: sums along the three axes with the "
             "mean and the standard deviation σ of |ε|, and slices through the target.",
-            png_bytes(known_model_panel(tomography, truth), _REPORT_DPI),
+            png_bytes(known_model_panel(tomography, found.truth), _REPORT_DPI),
             "Original, reconstruction and error in views and slices",
             is_panel=True,
         ),
         _panel_figure(tomography, terrain(tomography, dem), is_panel=False),
         _convergence(tomography, discrepancy),
     ]
-    rows = [*figures_of_merit]
-    for name, error in paper_errors(tomography, truth).items():
+    rows = [*_merits(found), *_results(tomography)]
+    return _report("Reconstruction of a known model", tomography, dem, drawn, rows, told, warnings)
+
+
+def _merits(found: KnownModelResult) -> list[Row]:
+    """Return how near the reconstruction is to the model: bodies, all voxels, the paper's views."""
+    rows = []
+    for body in found.bodies:
+        contrast = round(body.contrast, 4)
+        rows.append(Row(f"Contrast found over the true one, {body.name}", contrast))
+        rows.append(Row(f"Voxels of {body.name} crossed by rays", f"{body.seen} of {body.voxels}"))
+    rows += [
+        Row("Relative error ‖R − T‖ / ‖T‖", round(found.relative_error, 5)),
+        Row("Standard deviation of R − T", round(found.spread, 4), "g/cm³"),
+        Row("Mean of R − T", round(found.bias, 4), "g/cm³"),
+    ]
+    if np.isfinite(found.muons):
+        rows.append(Row("Muons counted", round(found.muons)))
+    for name, error in paper_errors(found.tomography, found.truth).items():
         unit = "" if name == "top" else "km"
         what = f"{name.capitalize()} view{', normalised' if name == 'top' else ''}"
         rows.append(Row(f"{what}: mean |ε|", round(error.mean, 4), unit))
         rows.append(Row(f"{what}: standard deviation of |ε|", round(error.deviation, 4), unit))
-    rows += _results(tomography)
-    return _report("Reconstruction of a known model", tomography, dem, drawn, rows, told, warnings)
+    return rows
 
 
 def _panel_figure(tomography: Tomography, relief: Relief, is_panel: bool = True) -> ReportFigure:
