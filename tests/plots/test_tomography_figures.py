@@ -12,7 +12,7 @@ from muysc_qgis.plots.style import png_bytes
 from muysc_qgis.plots.tomography import cuts, documents, volume_scales
 from muysc_qgis.plots.tomography.convergence import convergence_figure
 from muysc_qgis.plots.tomography.cut_axes import UNSEEN, cell_colours
-from muysc_qgis.plots.tomography.known_model_panel import known_model_panel, paper_errors
+from muysc_qgis.plots.tomography.known_model_panel import known_model_panel
 from muysc_qgis.plots.tomography.pictures import middle_place
 from muysc_qgis.plots.tomography.section_picture import section_figure
 from muysc_qgis.plots.tomography.slice_map import map_bounds
@@ -23,6 +23,7 @@ from muysc_qgis.topography.relief import Relief
 from muysc_qgis.volume import Volume
 from muysc_qgis.workflows.reconstruction_test import BodyFound, KnownModelResult
 from muysc_qgis.workflows.tomography_result import Place, StationResidual, Tomography
+from muysc_qgis.workflows.view_errors import paper_errors
 
 #: 6 × 5 × 4 voxels of 100 × 100 × 50 m.
 GRID = VoxelGrid((451_000.0, 4_518_000.0, 800.0), (100.0, 100.0, 50.0), (6, 5, 4))

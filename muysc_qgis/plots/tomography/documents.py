@@ -14,11 +14,12 @@ from ...topography.dem import Dem
 from ...topography.relief import Relief, relief_on_map
 from ...workflows.reconstruction_test import KnownModelResult
 from ...workflows.tomography_result import Tomography
+from ...workflows.view_errors import paper_errors
 from ..documents import Parameter, own_versions
 from ..report import OutputFile, PixelCount, Report, ReportFigure, Row
 from ..style import png_bytes
 from .convergence import convergence_figure
-from .known_model_panel import known_model_panel, paper_errors
+from .known_model_panel import known_model_panel
 from .section_picture import section_figure
 from .slice_map import map_bounds
 from .tomography_panel import tomography_panel

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...tomography.figures_of_merit import ViewError, view_error
 from ...tomography.voxels import view
 from ...volume import Volume
 from ...workflows.tomography_result import Tomography
+from ...workflows.view_errors import both_known, paper_errors
 from .. import style
 from ..frames import page_axes
 from ..scales import draw_colour_bar
@@ -49,25 +49,6 @@ _KM = 1e3
 
 #: What stands over the three columns.
 _COLUMNS = ("Original T", "Reconstruction R", "ε = R − T")
-
-
-def paper_errors(tomography: Tomography, truth: Volume) -> dict[str, ViewError]:
-    """Return the paper's errors: of the top view normalised, of front and side in km.
-
-    The views are sums along an axis. That from the top is divided by its largest value; those
-    from the front and the side are lengths in rock of the reference density.
-
-    Raises
-    ------
-    MuyscError
-        If the models do not fit each other.
-    """
-    grid, (known, found) = tomography.grid, _seen(tomography, truth)
-    unit = tomography.reference_density * _KM
-    errors = {"top": view_error(grid, found, known, "top")}
-    for name in ("front", "side"):
-        errors[name] = view_error(grid, found / unit, known / unit, name, normalised=False)
-    return errors
 
 
 def known_model_panel(tomography: Tomography, truth: Volume) -> Figure:
@@ -119,16 +100,8 @@ class _Row:
         return HEADING + ABOVE + fitted(self.pictures[0].cut.size_m, _ROOM)[1] + BELOW + BAR
 
 
-def _seen(tomography: Tomography, truth: Volume) -> tuple[np.ndarray, np.ndarray]:
-    """Return original and reconstruction where both are known."""
-    both = truth.known & tomography.density.known
-    return (
-        np.where(both, truth.values, np.nan), np.where(both, tomography.density.values, np.nan)
-    )  # fmt: skip
-
-
 def _view_rows(tomography: Tomography, truth: Volume) -> list[_Row]:
-    known, found = _seen(tomography, truth)
+    known, found = both_known(tomography, truth)
     unit = tomography.reference_density * _KM
     rows: list[_Row] = []
     for name, error in paper_errors(tomography, truth).items():
