@@ -1,5 +1,7 @@
 """Running algorithms as a script would, and what they say."""
 
+import gzip
+
 import pytest
 
 
@@ -60,3 +62,47 @@ def vesuvius(data_folder):
         "AZIMUTH_PIXELS": 21,
         "ELEVATION_PIXELS": 11,
     }
+
+
+@pytest.fixture(scope="session")
+def vesuvius_gzipped(vesuvius_tile):
+    return gzip.compress(vesuvius_tile.tobytes(), 1)
+
+
+@pytest.fixture
+def download(run, tile_server, tmp_path, feedback):
+    """Download from a folder of the server; returns the results."""
+
+    def download_from(folder="tiles", ending=".hgt.gz", **changes):
+        return run(
+            "downloadsrtm",
+            {
+                "EXTENT": "14.4,14.45,40.8,40.85 [EPSG:4326]",
+                "SOURCE": f"{tile_server.url}/{folder}/{{latitude}}/{{tile}}{ending}",
+                "CACHE": str(tmp_path / "cache"),
+                "TIMEOUT": 20,
+                "RETRIES": 0,
+                "DEM": str(tmp_path / "dem.tif"),
+                **changes,
+            },
+            feedback,
+        )
+
+    return download_from
+
+
+@pytest.fixture
+def refused_download(download, tmp_path):
+    """Return the sentence with which a download fails, having left nothing behind."""
+    from qgis.core import QgsProcessingException
+
+    def sentence(*arguments, **changes):
+        with pytest.raises(QgsProcessingException) as failure:
+            download(*arguments, **changes)
+        assert not [path for path in tmp_path.iterdir() if path.name != "cache"]
+        assert not list((tmp_path / "cache").rglob("*.*"))
+        text = str(failure.value)
+        assert "Traceback" not in text
+        return text
+
+    return sentence
