@@ -90,7 +90,7 @@ def _legend(with_ground: bool) -> list[tuple[str, Artist]]:
     from matplotlib.patches import Patch
 
     legend: list[tuple[str, Artist]] = [
-        ("Rock that no ray crosses", Patch(facecolor=UNSEEN, edgecolor="none")),
+        ("Crossed by no ray", Patch(facecolor=UNSEEN, edgecolor="none")),
         ("No rock, or beyond the volume",
          Patch(facecolor=style.SKY, edgecolor=style.MUTED, linewidth=0.4)),
     ]  # fmt: skip

@@ -145,8 +145,8 @@ def _described(tomography: Tomography) -> list[str]:
         f"{METHODS[tomography.method].title}, {found.iterations_done} iterations: "
         f"{_ENDED[found.stopped_by]}  ·  {stations} station{'s' * (stations > 1)}, "
         f"{tomography.rays} rays",
-        f"{voxels} voxels of {edges} m, {tomography.seen_voxels} of {tomography.rock_voxels} with "
-        f"rock crossed by rays  ·  reference density {tomography.reference_density:.3g} g/cm³, "
+        f"{voxels} voxels of {edges} m, {tomography.seen_voxels} of {tomography.rock_voxels} "
+        f"sought are crossed by rays  ·  reference density {tomography.reference_density:.3g} g/cm³, "
         f"relative residual {residual} %",
     ]
 
@@ -199,7 +199,7 @@ def _mark_sections(
         if target is not None:
             draw_target(frame, one.cut, (target.x, target.y)[number], target.z)
     legend: list[tuple[str, Artist]] = [
-        ("Rock that no ray crosses", Patch(facecolor=UNSEEN, edgecolor="none")),
+        ("Crossed by no ray", Patch(facecolor=UNSEEN, edgecolor="none")),
         ("No rock", Patch(facecolor=style.SKY, edgecolor=style.MUTED, linewidth=0.4)),
     ]
     if relief is not None:

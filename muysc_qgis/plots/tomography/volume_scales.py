@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,8 +21,8 @@ _SHOWN_PERCENT = 99.5
 #: Least half width of a diverging scale, g/cm³: differences below that are rounding.
 _LEAST_SPREAD = 0.01
 
-#: Blue below and red above the middle (Brewer's RdBu, told apart with any colour vision).
-_DIVERGING = "RdBu_r"
+#: Blue below and red above the middle, as in the style of the raster.
+_DIVERGING = replace(VOLUME_QUANTITIES["density"], colours="blue_red")
 
 
 def diverging(values: np.ndarray, middle: float, least: float = _LEAST_SPREAD) -> ScalarMappable:
@@ -41,6 +42,9 @@ def diverging(values: np.ndarray, middle: float, least: float = _LEAST_SPREAD) -
     # Rounded up to a tenth of its decade, so that the ends are round numbers.
     step = ticks.round_step(max(most, least), 10)
     half = step * np.ceil(max(most, least) / step)
+    if middle > 0:
+        # No density is below 0.
+        half = min(half, middle)
     return between(middle - half, middle + half)
 
 
@@ -49,7 +53,7 @@ def between(low: float, high: float) -> ScalarMappable:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    return ScalarMappable(Normalize(low, high), _DIVERGING)
+    return ScalarMappable(Normalize(low, high), colour_map(_DIVERGING))
 
 
 def lengths(values: np.ndarray) -> ScalarMappable:
