@@ -146,7 +146,7 @@ def _described(tomography: Tomography) -> list[str]:
         f"{_ENDED[found.stopped_by]}  ·  {stations} station{'s' * (stations > 1)}, "
         f"{tomography.rays} rays",
         f"{voxels} voxels of {edges} m, {tomography.seen_voxels} of {tomography.rock_voxels} "
-        f"sought are crossed by rays  ·  reference density {tomography.reference_density:.3g} g/cm³, "
+        f"sought are crossed by rays  ·  reference {tomography.reference_density:.3g} g/cm³, "
         f"relative residual {residual} %",
     ]
 
