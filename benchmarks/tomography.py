@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable
 
@@ -122,12 +123,18 @@ _SHARED = (("art", 3, "ART"), ("sart", 3, "SART"), ("sirt", 50, "SIRT"))
 
 
 def compare_with_astra(size: int = 256, angles: int = 180) -> None:
-    """Reconstruct the head from the same exact projections at the same number of iterations."""
+    """Reconstruct the head from the same exact projections at the same number of iterations.
+
+    Ours should take no more than ASTRA's time, at an error of no more than 1.05 times its.
+    """
     try:
         import astra
     except ImportError:
         astra = None
-        print("\nastra-toolbox is not installed: no comparison with it")
+        print(
+            "\nastra-toolbox is not installed, so nothing is compared with it; it comes with "
+            f"`{sys.executable} -m pip install astra-toolbox==2.5.0` (440 MB)"
+        )
     beam = ParallelBeam.around(size, angles)
     truth = ellipse_image(SHEPP_LOGAN, size)
     data = ellipse_projections(SHEPP_LOGAN, beam.angle_deg, beam.offset * 2 / size) * size / 2
