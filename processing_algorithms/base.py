@@ -22,6 +22,8 @@ from ..muysc_qgis.staging import Staging, check_destination
 
 ROOT = Path(__file__).resolve().parent.parent
 HELP_FOLDER = Path(__file__).parent / "help"
+#: One icon for each group of the toolbox, by its id.
+GROUP_ICONS = ROOT / "icons" / "groups"
 
 
 class MuyscAlgorithm(QgsProcessingAlgorithm):
@@ -94,7 +96,7 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         return ["muon", "muography", "volcano", *self.TAGS]
 
     def icon(self) -> QIcon:
-        return QIcon(str(ROOT / "icon.svg"))
+        return QIcon(str(GROUP_ICONS / f"{self.GROUP_ID}.svg"))
 
     def shortHelpString(self) -> str:
         text = (HELP_FOLDER / f"{self.NAME}.html").read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ import pytest
 #: What may stand at the top of a release.
 TOP = {
     "__init__.py", "metadata.txt", "icon.svg", "LICENSE", "README.md", "CHANGELOG.md",
-    "docs", "muysc_qgis", "processing_algorithms",
+    "docs", "i18n", "icons", "muysc_qgis", "processing_algorithms",
 }  # fmt: skip
 #: Kinds of files that the plugin site turns away.
 REFUSED = {".so", ".dll", ".pyd", ".exe", ".sh", ".bat", ".pyc"}
@@ -49,6 +49,6 @@ def test_nothing_that_runs_is_missing(release, root, declared_by):
     ).stdout.split("\0")
     for name in filter(None, committed):
         assert (release / name).is_file(), name
-    for name in ("__init__.py", "metadata.txt", "icon.svg", "LICENSE"):
+    for name in ("__init__.py", "metadata.txt", "icon.svg", "icons/dock.svg", "LICENSE"):
         assert (release / name).is_file(), name
     assert "muysc:radiography" in declared_by(release)
