@@ -122,7 +122,10 @@ def tomography(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    lines = survey(stations, dem, plan, choices.mask, crs, rock, part(progress, 0.0, _LAID))
+    lines = survey(
+        stations, dem, plan, choices.mask, crs, rock, choices.memory_bytes,
+        part(progress, 0.0, _LAID),
+    )  # fmt: skip
     return reconstruct_volume(lines, choices, part(progress, _LAID, 1.0))
 
 
@@ -133,6 +136,7 @@ def survey(
     mask: bool = True,
     crs: CRS | None = None,
     rock: Sequence[RockSeen] | None = None,
+    memory_bytes: int = MEMORY_LIMIT,
     progress: Progress = silent,
 ) -> Sightlines:
     """Return the rays of stations through a volume, whatever they see; as in `tomography`."""
@@ -143,6 +147,7 @@ def survey(
     crs = crs or projection_of(stations, dem)
     rough = VolumeFrame.around(crs, from_wgs84(crs, *_somewhere(stations)))
     grid = volume_grid(plan, rough, stations, rock, dem)
+    _check_voxels(grid, memory_bytes)
     middle = [0.5 * (low + high) for low, high in zip(grid.origin_m, grid.end_m)]
     frame = VolumeFrame.around(crs, (middle[0], middle[1]))
     return lay_sightlines(stations, rock, grid, frame, dem, mask, part(progress, _TRACED, 1.0))
@@ -180,7 +185,7 @@ def reconstruct_volume(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    _check_voxels(lines.grid, choices)
+    _check_voxels(lines.grid, choices.memory_bytes, choices.method)
     opacity, error, lost = _data(lines, choices)
     used = np.flatnonzero(np.isfinite(opacity) & (error > 0))
     if not used.size:
@@ -211,17 +216,16 @@ def reconstruct_volume(
     return result_of(lines, choices.method, system, found, reference, lost, (*warnings, *more))
 
 
-def _check_voxels(grid: VoxelGrid, choices: TomographyChoices) -> None:
+def _check_voxels(grid: VoxelGrid, memory_bytes: int, method: str = "") -> None:
     """Refuse voxels of which not even the vectors fit the memory."""
-    each = 8 * _NUMBERS_PER_VOXEL.get(choices.method, _FEW_NUMBERS_PER_VOXEL)
-    need = each * grid.count
-    if need > choices.memory_bytes:
-        factor = 1.02 * (need / choices.memory_bytes) ** (1 / 3)
+    need = 8 * _NUMBERS_PER_VOXEL.get(method, _FEW_NUMBERS_PER_VOXEL) * grid.count
+    if need > memory_bytes:
+        factor = 1.02 * (need / memory_bytes) ** (1 / 3)
         raise MuyscError(
             f"{' × '.join(map(str, grid.shape))} voxels of {grid.size_m[0]:g} m need about "
-            f"{need / 2**30:.3g} GiB with {choices.method}, more than the limit of "
-            f"{choices.memory_bytes / 2**30:.3g} GiB; use voxels of "
-            f"{factor * grid.size_m[0]:.3g} m or larger, or allow more memory."
+            f"{need / 2**30:.3g} GiB{method and f' with {method}'}, more than the limit of "
+            f"{memory_bytes / 2**30:.3g} GiB; use voxels of {factor * grid.size_m[0]:.3g} m or "
+            "larger, or allow more memory."
         )
 
 

@@ -31,8 +31,8 @@ _ALONG = np.linspace(0.0, 1.0, 9)
 #: Voxel sizes are these times a power of ten.
 _STEPS = (1.0, 1.2, 1.5, 1.8, 2.0, 2.2, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)
 
-#: Points along a side at which the highest ground is looked for.
-_PROBES = 200
+#: Points along a side at which the highest ground is looked for, and the DEM's edge.
+_PROBES, _ALONG_SIDE = 200, 33
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,15 @@ def volume_grid(
             low[axis] = size * (math.ceil if axis < 2 else math.floor)(low[axis] / size)
             if axis < 2:
                 high[axis] = max(size * math.floor(high[axis] / size), low[axis] + size)
-    return VoxelGrid.covering(low.tolist(), high.tolist(), size)
+    grid = VoxelGrid.covering(low.tolist(), high.tolist(), size)
+    (west, south, _), (east, north, _) = grid.origin_m, grid.end_m
+    if not all(_on_dem((west, east, south, north), frame, dem)):
+        raise MuyscError(
+            f"The volume, x {west:.7g} to {east:.7g} and y {south:.7g} to {north:.7g} "
+            f"({frame.crs.name}), reaches beyond the elevation model {dem.name}; choose a smaller "
+            "extent or a larger elevation model."
+        )
+    return grid
 
 
 def _rock_points(
@@ -156,18 +164,22 @@ def _suggested(
     # Shrunk towards its middle as long as a side reaches beyond the DEM.
     middle = np.median(x), np.median(y)
     for _ in range(_PROBES):
-        side = np.linspace(0.0, 1.0, 33)
-        rim_x = west + (east - west) * np.concatenate([side, side, 0 * side, 0 * side + 1])
-        rim_y = south + (north - south) * np.concatenate([0 * side, 0 * side + 1, side, side])
-        on_dem = dem.contains(*_cells(rim_x, rim_y, frame, dem))
-        known = on_dem.reshape(4, -1).all(axis=1)
-        if known.all():
+        known = _on_dem((west, east, south, north), frame, dem)
+        if all(known):
             break
         south += 0.0 if known[0] else 0.02 * (middle[1] - south)
         north -= 0.0 if known[1] else 0.02 * (north - middle[1])
         west += 0.0 if known[2] else 0.02 * (middle[0] - west)
         east -= 0.0 if known[3] else 0.02 * (east - middle[0])
     return float(west), float(east), float(south), float(north)
+
+
+def _on_dem(extent: tuple[float, float, float, float], frame: VolumeFrame, dem: Dem) -> list[bool]:
+    """Return whether the south, north, west and east side of an extent are on the DEM."""
+    west, east, south, north = extent
+    x, y = np.linspace(west, east, _ALONG_SIDE), np.linspace(south, north, _ALONG_SIDE)
+    sides = ((x, 0 * x + south), (x, 0 * x + north), (0 * y + west, y), (0 * y + east, y))
+    return [bool(dem.contains(*_cells(*side, frame, dem)).all()) for side in sides]
 
 
 def _highest(extent: tuple[float, float, float, float], frame: VolumeFrame, dem: Dem) -> float:

@@ -53,9 +53,10 @@ def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
             None, 0, 30,
         ),
         number(
-            "RELATIVE_ERROR", "Error of the opacities (%, empty: unknown)",
-            "Give the standard error of opacities in %, 0 or more, where there are no rasters of "
-            "errors. The method bayes needs one or the other.",
+            "RELATIVE_ERROR", "Error of the opacities (%)",
+            "Give the standard error of opacities in % where there are no rasters of errors, 0 or "
+            "more. 0 stands for unknown: then all rays count the same, no method stops at the "
+            "errors, and bayes cannot be used.",
             5.0, 0, 1000,
         ),
         number(
@@ -162,7 +163,7 @@ def read_reconstruction(
         options=options,
         reference_density=number_of("REFERENCE_DENSITY"),
         mask=algorithm.parameterAsBool(parameters, "TERRAIN_MASK", context),
-        relative_error=None if error is None else error / 100,
+        relative_error=error / 100 if error else None,
         length_error_m=number_of("LENGTH_ERROR") or 0.0,
         memory_bytes=read_memory(*read, context),
     )
