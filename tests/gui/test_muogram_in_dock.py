@@ -72,9 +72,9 @@ def test_hovering_tells_the_values_of_a_pixel(planned, hand):
     flux = preview.muogram("flux")
     said = planned.muogram.readout.text().replace("\u00a0", " ").replace("\u2060", "")
     azimuth, elevation = flux.azimuth_deg[column] % 360, flux.elevation_deg[row]
-    assert f"Azimuth {round(azimuth, 1):g}°" in said
-    assert f"elevation {round(elevation, 1):g}°" in said
-    assert f"zenith {round(90 - elevation, 1):g}°" in said
+    assert f"Azimuth {azimuth:.1f}°" in said
+    assert f"elevation {elevation:.1f}°" in said
+    assert f"zenith {90 - elevation:.1f}°" in said
     thickness = preview.muogram("thickness").values[row, column]
     assert f"Rock {thickness:.0f} m" in said
     assert "g/cm²" in said
