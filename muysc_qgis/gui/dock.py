@@ -31,6 +31,9 @@ from .texts import tr
 
 _RADIOGRAPHY, _EXPECTED_COUNTS = "muysc:radiography", "muysc:expectedcounts"
 
+#: Width (dots) that a button may shrink to.
+_NARROWEST = 60
+
 #: How long (s) a message stays.
 _SECONDS = 5
 
@@ -49,7 +52,9 @@ class PlanningDock(QgsDockWidget):
         self.sites = SitesPane(self.planner, self._canvas)
         self.places = QgsCollapsibleGroupBox(tr("Candidate sites"))
         self.places.setCollapsed(True)
-        QVBoxLayout(self.places).addWidget(self.sites)
+        inside = QVBoxLayout(self.places)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.addWidget(self.sites)
         self.run = self._button("run", tr("Run…"), self.open_dialog)
         self.run.setToolTip(tr("Open the Processing dialog with these values"))
         self.copy = self._button("copy", tr("Copy as command"), self.copy_command)
@@ -95,11 +100,13 @@ class PlanningDock(QgsDockWidget):
 
     def _content(self) -> QWidget:
         actions = QHBoxLayout()
-        actions.addWidget(self.run)
-        actions.addWidget(self.copy)
+        # By the lengths of their texts, and narrower than these where there is no room.
+        for button, share in ((self.run, 1), (self.copy, 2)):
+            button.setMinimumWidth(_NARROWEST)
+            actions.addWidget(button, share)
         content = QWidget()
         layout = QVBoxLayout(content)
-        layout.setContentsMargins(6, 6, 6, 6)
+        layout.setContentsMargins(4, 4, 4, 4)
         layout.addWidget(self.form)
         layout.addWidget(self.muogram, 1)
         layout.addLayout(actions)
@@ -123,7 +130,7 @@ class PlanningDock(QgsDockWidget):
         button.setText(text)
         button.setIcon(icon(name))
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         button.setMenu(menu)
         return button

@@ -30,6 +30,9 @@ from .texts import tr
 #: Sizes as multiples of the height of a line of text.
 _GAP, _TICK, _BAR = 0.3, 0.25, 0.7
 
+#: What fits between the picture and the right edge of the room.
+_MARGIN = "88"
+
 #: Most that the picture is stretched upwards for a wide field of view, and squeezed.
 STRETCH = (0.7, 2.0)
 
@@ -87,7 +90,7 @@ class Layout:
         # The name of the elevation stands upright beside its labels.
         frame = room.adjusted(
             widest + line * (1 + _TICK + 2 * _GAP), line * (1 + _GAP),
-            -metrics.horizontalAdvance("88"), -line * (5 + _BAR + 3 * _TICK + 2 * _GAP),
+            -metrics.horizontalAdvance(_MARGIN), -line * (5 + _BAR + 3 * _TICK + 2 * _GAP),
         )  # fmt: skip
         true_height = frame.width() * (high - low) / (right - left)
         height = min(frame.height(), STRETCH[1] * true_height)
@@ -193,7 +196,7 @@ def _paint_azimuths(painter: QPainter, layout: Layout) -> None:
     line = metrics.height()
     left, right, low, high = layout.limits_deg
     frame = layout.frame
-    room = metrics.horizontalAdvance("888°") * 1.25
+    room = metrics.horizontalAdvance("888°") * 1.15
     for azimuth in ticks.angle_ticks(left, right, max(2, int(frame.width() / room))):
         foot = layout.point(azimuth, low)
         painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
@@ -253,11 +256,10 @@ def _paint_scale(painter: QPainter, layout: Layout, scene: Scene) -> None:
     for at, label in [*zip(share_along(positions, quantity, limits).tolist(), labels)][::every]:
         foot = QPointF(bar.left() + at * bar.width(), bar.bottom())
         painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
-        # The last one must not reach out of the room beside the picture.
-        most = bar.right() + metrics.horizontalAdvance("88") - metrics.horizontalAdvance(label) / 2
-        _centred(painter, label, min(foot.x(), most), foot.y() + line * _TICK)
+        _centred(painter, label, _inside(painter, layout, label, foot.x()), foot.y() + line * _TICK)
     name = quantity_label(quantity)
-    _centred(painter, name, bar.center().x(), bar.bottom() + line * (1 + _TICK))
+    middle = _inside(painter, layout, name, bar.center().x())
+    _centred(painter, name, middle, bar.bottom() + line * (1 + _TICK))
     _paint_key(painter, QPointF(bar.center().x(), bar.bottom() + line * (2 + 2 * _TICK)), scene)
 
 
@@ -289,6 +291,13 @@ def quantity_label(quantity: Quantity) -> str:
     """Return title and unit in the language of QGIS."""
     title = tr(quantity.title)
     return title if quantity.unit == "1" else f"{title} ({quantity.unit})"
+
+
+def _inside(painter: QPainter, layout: Layout, text: str, middle: float) -> float:
+    """Return the middle of a text that must not reach out of the room on the right."""
+    metrics = QFontMetricsF(painter.font())
+    most = layout.frame.right() + metrics.horizontalAdvance(_MARGIN)
+    return min(middle, most - metrics.horizontalAdvance(text) / 2)
 
 
 def _centred(painter: QPainter, text: str, middle: float, top: float) -> None:

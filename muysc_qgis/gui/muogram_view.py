@@ -22,7 +22,7 @@ from .muogram_picture import Layout, Scene, paint
 #: Size (dots) of a picture that is copied or saved.
 PICTURE_WIDTH, PICTURE_HEIGHT = 1600, 1200
 _PICTURE_MARGIN = 40
-_PICTURE_TEXT = 28
+_PICTURE_TEXT = 26
 
 
 class MuogramView(QWidget):

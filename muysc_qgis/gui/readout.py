@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..muogram import Muogram
-from ..plots.ticks import compass_points, number_label
+from ..plots.ticks import compass_points
 from .preview import Preview
 from .texts import days, metres, tr, with_unit
 
@@ -66,4 +66,4 @@ def describe_preview(preview: Preview) -> str:
 
 
 def _angle(angle_deg: float) -> str:
-    return number_label(round(angle_deg, 1))
+    return f"{angle_deg:.1f}".replace("-", "−")

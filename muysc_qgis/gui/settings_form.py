@@ -71,7 +71,7 @@ class SettingsForm(QWidget):
             }
         )
         self.density = _number(0.0, MAXIMUM_DENSITY_G_CM3, 3, " g/cm³")
-        self.density.setSpecialValueText(tr("as the material"))
+        self.density.setSpecialValueText(tr("as material"))
         self.density.setSingleStep(0.05)
         self.model = _choice(_titles(MODELS))
         self.acceptance = _number(0.001, _LARGEST, 3, " cm² sr")
@@ -192,6 +192,7 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
 
 def _side_by_side(*widgets: QWidget) -> QHBoxLayout:
     layout = QHBoxLayout()
+    layout.setSpacing(4)
     for widget in widgets:
         layout.addWidget(widget)
     return layout
@@ -238,5 +239,5 @@ def _pick_button(text: str, name: str) -> QToolButton:
     button.setIcon(icon(name))
     button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
     button.setCheckable(True)
-    button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
     return button

@@ -29,8 +29,8 @@ from .planner import Planner
 from .sites import Site
 from .texts import bare_metres, metres, rounded, tr
 
-#: Titles of the columns.
-_COLUMNS = ("Site", "Distance\n(m)", "Thickest\n(m)", "Days")
+#: Columns beside the name.
+_FIGURES = 3
 
 #: Rows that the table shows at least.
 _ROWS = 4
@@ -174,7 +174,7 @@ class SitesPane(QWidget):
         self.table.blockSignals(True)
         self.table.setRowCount(len(self.listed))
         for row, site in enumerate(self.listed):
-            for column in range(len(_COLUMNS)):
+            for column in range(1 + _FIGURES):
                 self.table.setItem(row, column, _item("", editable=column == 0))
             self.table.item(row, 0).setText(site.name)
         self.table.blockSignals(False)
@@ -188,7 +188,7 @@ class SitesPane(QWidget):
             problem = self.comparison.problem(plan, site)
             for column, text in enumerate(_row(figures, bool(problem)), start=1):
                 self.table.item(row, column).setText(text)
-            for column in range(len(_COLUMNS)):
+            for column in range(1 + _FIGURES):
                 self.table.item(row, column).setToolTip(problem or _details(figures))
         self.table.blockSignals(False)
         self.told.setText(self._note())
@@ -215,7 +215,7 @@ def _numbered(number: int) -> str:
 
 def _row(figures: SiteFigures | None, failed: bool) -> tuple[str, ...]:
     if figures is None:
-        return ("–" if failed else "…",) * (len(_COLUMNS) - 1)
+        return ("–" if failed else "…",) * (_FIGURES)
     return (
         bare_metres(figures.target_distance_m),
         bare_metres(figures.maximum_thickness_m),
@@ -247,8 +247,19 @@ def _item(text: str, editable: bool) -> QTableWidgetItem:
 
 
 def _table() -> QTableWidget:
-    table = QTableWidget(0, len(_COLUMNS))
-    table.setHorizontalHeaderLabels([tr(title) for title in _COLUMNS])
+    table = QTableWidget(0, 1 + _FIGURES)
+    for column, (title, meaning) in enumerate(
+        (
+            (tr("Site"), tr("Name; press F2 to change it")),
+            (tr("Away (m)"), tr("Horizontal distance of the target")),
+            (tr("Rock (m)"), tr("Largest thickness in the field of view")),
+            (tr("Days"), tr("Time until the pixel towards the target has its muons")),
+        )
+    ):
+        # One word a line keeps columns narrow.
+        header = QTableWidgetItem(title.replace(" ", "\n"))
+        header.setToolTip(meaning)
+        table.setHorizontalHeaderItem(column, header)
     table.verticalHeader().setVisible(False)
     triggers = QAbstractItemView.EditTrigger
     # A double click uses a site.

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from qgis.PyQt.QtCore import QCoreApplication
 
 from ..plots.ticks import number_label
 from ..quantities import Quantity
-
-#: Context of every text in the files of translations.
-_CONTEXT = "MUYSC"
+from ..translation import tr
 
 #: Digits of a value: no flux model knows more.
 _DIGITS = 3
@@ -17,11 +14,6 @@ _DIGITS = 3
 #: So that a value and its unit stay on one line: no-break space, and slash with a joiner.
 _NO_BREAK = "\u00a0"
 _NO_BREAK_SLASH = "/\u2060"
-
-
-def tr(text: str) -> str:
-    """Return a text in the language of QGIS."""
-    return str(QCoreApplication.translate(_CONTEXT, text))
 
 
 def rounded(value: float) -> str:
