@@ -43,17 +43,28 @@ _TITLED: dict[str, Mapping[str, Any]] = {
     "METHOD": METHODS,
 }
 
-#: Settings of a reconstruction that only some methods read.
+#: Parameters that count for some words of another one alone.
 _ART = ("art", "bart", "sart", "sirt")
 _PENALISED = ("pml-quad", "pml-hybrid", "ospml-quad", "ospml-hybrid")
-_OF_METHODS = {
-    "RELAXATION": _ART,
-    "REGULARIZATION": (*_PENALISED, "tv", "grad", "tikhonov", "lsmr"),
-    "SUBSETS": ("bart", "osem", "ospml-quad", "ospml-hybrid"),
-    "EDGE_DENSITY": ("pml-hybrid", "ospml-hybrid"),
-    "PRIOR_DEVIATION": ("bayes",),
-    "CORRELATION_LENGTH": ("bayes",),
-    "POSTERIOR_SAMPLES": ("bayes",),
+_ONLY_FOR: dict[str, dict[str, tuple[str, ...]]] = {
+    "METHOD": {
+        "RELAXATION": _ART,
+        "REGULARIZATION": (*_PENALISED, "tv", "grad", "tikhonov", "lsmr"),
+        "SUBSETS": ("bart", "osem", "ospml-quad", "ospml-hybrid"),
+        "EDGE_DENSITY": ("pml-hybrid", "ospml-hybrid"),
+        "PRIOR_DEVIATION": ("bayes",),
+        "CORRELATION_LENGTH": ("bayes",),
+        "POSTERIOR_SAMPLES": ("bayes",),
+    },
+    "MODEL": {
+        "BODY_DENSITY": ("checkerboard", "conduit", "sphere"),
+        "BODY_RADIUS": ("conduit", "sphere"),
+        "BODY_EDGE": ("checkerboard",),
+        "BODY_POSITION": ("conduit", "sphere"),
+        "BODY_BASE": ("conduit",),
+        "BODY_TOP": ("conduit",),
+        "BODY_MIDDLE": ("sphere",),
+    },
 }
 
 #: Files of a list that are named; of more, the first ones and how many there are.
@@ -161,7 +172,8 @@ def _without_effect(
         names |= {*_SIZES, *(["FORMULA"] if preset == NONE else [])}
     if model is not None and not model.startswith("gaisser"):
         names.add("GAISSER_PARAMETERS")
-    method = chosen("METHOD")
-    if method is not None:
-        names |= {name for name, methods in _OF_METHODS.items() if method not in methods}
+    for choice, dependent in _ONLY_FOR.items():
+        word = chosen(choice)
+        if word is not None:
+            names |= {name for name, words in dependent.items() if word not in words}
     return names
