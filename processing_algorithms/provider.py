@@ -8,6 +8,7 @@ from qgis.core import Qgis, QgsMessageLog, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .base import ROOT
+from .models import FILES, MuyscModel
 
 #: Module and class of every algorithm, in the order of the toolbox.
 ALGORITHMS = (
@@ -23,6 +24,7 @@ ALGORITHMS = (
     ("radiographyatsites", "RadiographyAtSites"),
     ("siteselection", "SiteSelection"),
     ("tomography", "TomographyAlgorithm"),
+    ("reconstructiontest", "ReconstructionTest"),
     ("reconstructionbenchmark", "ReconstructionBenchmark"),
 )
 
@@ -65,3 +67,11 @@ class MuyscProvider(QgsProcessingProvider):
                     "MUYSC",
                     Qgis.MessageLevel.Critical,
                 )
+        for path in FILES:
+            self.addAlgorithm(MuyscModel(path))
+
+    def attach_models(self) -> None:
+        """Complete the models, whose steps QGIS finds only in a registered provider."""
+        for algorithm in self.algorithms():
+            if isinstance(algorithm, MuyscModel):
+                algorithm.attach()

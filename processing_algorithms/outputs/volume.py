@@ -93,15 +93,7 @@ def stage_volumes(
                 f"{output} is asked for, and {result.method} tells no errors of {result.rays} "
                 "rays; use bayes, with draws for the error (POSTERIOR_SAMPLES) beyond 2000 rays."
             )
-        kind, limits = volume.kind, None
-        if output == "DENSITY":
-            # As panel and report draw it: about the reference density.
-            kind, limits = replace(kind, colours="blue_red"), result.density_limits
-        temporary = stage_raster(
-            staging, path, inputs, context, volume.values, kind,
-            band=result.shown_level + 1, limits=limits, elevations=volume.grid.edges_m(2),
-        )  # fmt: skip
-        write_volume(volume, temporary)
+        stage_volume(path, volume, result, context, staging, inputs)
         results[output] = path
     table = table_destination(algorithm, parameters, RESIDUALS, context)
     if table is not None:
@@ -112,6 +104,26 @@ def stage_volumes(
         stage_table(staging, table, _COLUMNS, rows)
         results[RESIDUALS] = table
     return results
+
+
+def stage_volume(
+    path: str,
+    volume: Volume,
+    result: Tomography,
+    context: QgsProcessingContext,
+    staging: Staging,
+    inputs: tuple[str, ...],
+) -> None:
+    """Stage a volume with its style; densities are coloured as those of the result."""
+    kind, limits = volume.kind, None
+    if volume.quantity == "density":
+        # As panel and report draw it: about the reference density.
+        kind, limits = replace(kind, colours="blue_red"), result.density_limits
+    temporary = stage_raster(
+        staging, path, inputs, context, volume.values, kind,
+        band=result.shown_level + 1, limits=limits, elevations=volume.grid.edges_m(2),
+    )  # fmt: skip
+    write_volume(volume, temporary)
 
 
 def write_voxels(

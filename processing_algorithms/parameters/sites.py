@@ -27,12 +27,14 @@ from .values import explained, given, read_number
 from .view import sight_parameters
 
 
-def sites_parameters() -> list[QgsProcessingParameterDefinition]:
+def sites_parameters(
+    label: str = "Sites", optional: bool = False
+) -> list[QgsProcessingParameterDefinition]:
     """Declare the layer of sites, its fields, and the height where it has none."""
     height = next(one for one in sight_parameters() if one.name() == "DETECTOR_HEIGHT")
     return [
         explained(
-            QgsProcessingParameterFeatureSource("SITES", "Sites", [VECTOR_POINT]),
+            QgsProcessingParameterFeatureSource("SITES", label, [VECTOR_POINT], None, optional),
             "Layer of points where telescopes stand, on the DEM, in any coordinate reference "
             "system. Sites off the DEM are skipped with a warning.",
         ),
