@@ -15,10 +15,11 @@ import numpy as np
 
 from ..radiography.raytracing import ProfilePieces
 
-#: Stretches longer than this many cells are worth a closer look.
-_FINE_CELLS = 6
+#: Stretches longer than this many cells are worth a closer look; for shorter ones it costs more
+#: than it saves.
+_FINE_CELLS = 20
 #: Parts into which a stretch is divided for it.
-_PARTS = 4
+_PARTS = 3
 
 #: Shortest piece kept (m). Two grid lines crossed at once leave slivers in which
 #: slopes are all rounding error: the next piece takes their place.
