@@ -62,3 +62,27 @@ def test_no_site_left_is_one_sentence(qgis_process, data_folder, sites, tmp_path
     assert done.returncode != 0
     assert "None of the 2 sites can be used" in done.stderr
     assert not (tmp_path / "muograms").exists()
+
+
+def test_site_selection_with_worker_processes(qgis_process, data_folder, tmp_path):
+    done = qgis_process.run(
+        "siteselection",
+        {
+            "DEM": data_folder / "vesuvius_srtmgl1.tif",
+            "TARGET": "14.424745,40.823729 [EPSG:4326]",
+            "MIN_DISTANCE": 1500,
+            "MAX_DISTANCE": 2500,
+            "SPACING": 400,
+            "AZIMUTH_PIXELS": 12,
+            "ELEVATION_PIXELS": 8,
+            "WORKERS": 2,
+            "SCORE": tmp_path / "score é.tif",
+            "TELESCOPE_SITES": tmp_path / "telescopes.gpkg",
+        },
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "in one process instead" not in done.stdout + done.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "score é.qml", "score é.tif", "telescopes.gpkg",
+    ]  # fmt: skip
+    assert "BEST_SCORE" in done.stdout
