@@ -143,7 +143,8 @@ def value_text(value: Value) -> str:
     if isinstance(value, (float, np.floating)):
         if np.isnan(value):
             return "unknown"
-        return _six_digits(float(value)) if np.isfinite(value) else "unlimited"
+        # The sum takes the sign off a zero.
+        return _six_digits(float(value) + 0.0) if np.isfinite(value) else "unlimited"
     return str(value)
 
 

@@ -193,7 +193,7 @@ def test_empty_parts_leave_no_headings():
     ("value", "text"),
     [
         (None, "–"), (True, "yes"), (np.bool_(False), "no"), (-3, "−3"), (np.int64(7), "7"),
-        (0.1 + 0.2, "0.3"), (np.float32(2.5), "2.5"), (float("nan"), "unknown"),
+        (0.1 + 0.2, "0.3"), (np.float32(2.5), "2.5"), (float("nan"), "unknown"), (-0.0, "0"),
         (float("inf"), "unlimited"), (1234567.0, "1.23457·10⁶"), (-3.2e-7, "−3.2·10⁻⁷"),
         ("as it is", "as it is"),
     ],

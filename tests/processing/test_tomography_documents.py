@@ -76,3 +76,30 @@ def test_a_line_gives_a_section_of_its_own_and_in_the_report(run, job, tmp_path)
     report = Path(results["REPORT"]).read_text(encoding="utf-8")
     assert report.count("<img ") == 3
     assert table(report, "parameters")["Line of a vertical section"] == ["line.geojson", ""]
+
+
+def test_the_report_of_a_test_tells_its_model_alone(run, vesuvius, tmp_path):
+    files = {"DENSITY": "density.tif", "COVERAGE": "coverage.tif", "PANEL": "panel.png",
+             "REPORT": "report.html"}  # fmt: skip
+    results = run("reconstructiontest", {
+        "DEM": vesuvius["DEM"], "TARGET": "14.4262,40.8218 [EPSG:4326]", "RING_SITES": 4,
+        "AZIMUTH_PIXELS": 12, "ELEVATION_PIXELS": 8, "VOXELS": 12, "METHOD": "sirt",
+        "MODEL": "sphere", "BODY_RADIUS": 200, "BODY_MIDDLE": 900, "NOISE": False,
+        "RELATIVE_ERROR": 0.1, "LENGTH_ERROR": 0, "ITERATIONS": 20,
+        **{name: str(tmp_path / file) for name, file in files.items()},
+    })  # fmt: skip
+    report = Path(results["REPORT"]).read_text(encoding="utf-8")
+    told = table(report, "parameters")
+    assert told["Known model"] == ["sphere", ""]
+    assert told["Middle of the sphere"] == ["900", "m"]
+    assert not [label for label in told if "checkerboard" in label or "of the conduit" in label]
+    numbers = table(report, "results")
+    assert results["CONTRAST"] > 0.05
+    assert float(numbers["Contrast found over the true one, sphere"][0]) == pytest.approx(
+        results["CONTRAST"], abs=1e-3
+    )
+    assert float(numbers["Front view: mean |ε|"][0]) == pytest.approx(
+        results["FRONT_ERROR"], abs=1e-4
+    )
+    assert report.count("<img ") == 3
+    assert Path(results["PANEL"]).read_bytes().startswith(b"\x89PNG")

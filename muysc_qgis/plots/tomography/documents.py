@@ -17,7 +17,7 @@ from ...workflows.tomography_result import Tomography
 from ...workflows.view_errors import paper_errors
 from ..documents import Parameter, own_versions
 from ..report import OutputFile, PixelCount, Report, ReportFigure, Row
-from ..style import png_bytes
+from ..style import DPI, png_bytes
 from .convergence import convergence_figure
 from .known_model_panel import known_model_panel
 from .section_picture import section_figure
@@ -146,7 +146,7 @@ def known_model_report(
         ReportFigure(
             "Original, reconstruction and their difference: sums along the three axes with the "
             "mean and the standard deviation σ of |ε|, and slices through the target.",
-            png_bytes(known_model_panel(tomography, found.truth), _REPORT_DPI),
+            png_bytes(known_model_panel(tomography, found.truth)),
             "Original, reconstruction and error in views and slices",
             is_panel=True,
         ),
@@ -188,7 +188,7 @@ def _panel_figure(tomography: Tomography, relief: Relief, is_panel: bool = True)
         caption += ", and the standard errors of the densities"
     return ReportFigure(
         f"{caption}. White stands for the reference density.",
-        png_bytes(tomography_panel(tomography, relief), _REPORT_DPI if not is_panel else 130),
+        png_bytes(tomography_panel(tomography, relief), DPI if is_panel else _REPORT_DPI),
         "Slices, sections and views of the densities",
         is_panel=is_panel,
     )
