@@ -29,6 +29,9 @@ from .planner import Planner
 from .sites import Site
 from .texts import bare_metres, metres, rounded, tr
 
+#: Denominator of the scale in which a site that is zoomed to is seen at least.
+_SITE_SCALE = 25_000
+
 #: Columns beside the name.
 _FIGURES = 3
 
@@ -109,7 +112,7 @@ class SitesPane(QWidget):
             crs = self._canvas.mapSettings().destinationCrs()
             to_map = QgsCoordinateTransform(site.place.system, crs, QgsProject.instance())
             self._canvas.setCenter(to_map.transform(site.place.point))
-            self._canvas.refresh()
+            self._canvas.zoomScale(min(self._canvas.scale(), _SITE_SCALE))
 
     def remove_chosen(self) -> None:
         """Remove the sites chosen from their layer."""

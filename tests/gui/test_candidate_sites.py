@@ -69,6 +69,7 @@ def test_a_site_is_used_zoomed_to_renamed_and_removed(two_sites, sites, hand, if
     table.selectRow(0)
     two_sites.sites.zoom.click()
     assert iface.mapCanvas().center().distance(first.place.point) < 1
+    assert iface.mapCanvas().scale() <= 25_001
     table.item(0, 0).setText("Ridge")
     assert [site.name for site in sites.sites_of(sites.find_layer())] == ["Ridge", "Site 2"]
     table.selectRow(0)
