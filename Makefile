@@ -14,11 +14,11 @@ unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint qgis bench reference validation package clean packages development-packages
+.PHONY: help demo test lint qgis bench reference models translations screenshots validation package clean packages development-packages
 
 help: ## Show this list
 	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/^([a-z]+):.*## /\1\t/' \
-		| while IFS=$$'\t' read -r name what; do printf '  make %-10s %s\n' "$$name" "$$what"; done
+		| while IFS=$$'\t' read -r name what; do printf '  make %-12s %s\n' "$$name" "$$what"; done
 
 demo: packages ## Simulate a muogram of Vesuvius from the command line, into build/demo
 	@$(PYTHON) tools/demo.py
@@ -40,6 +40,15 @@ bench: .venv/ready ## Measure time and memory, side by side with other codes
 
 reference: packages ## Write docs/algorithms.md from what the algorithms declare
 	@$(PYTHON) tools/make_reference.py
+
+models: packages ## Write the models that come with the provider
+	@$(PYTHON) tools/make_models.py
+
+translations: development-packages ## Gather what is to be translated, and compile i18n
+	@$(PYTHON) tools/translations.py
+
+screenshots: development-packages ## Take the pictures of the user guide, into docs/images
+	@$(PYTHON) tools/screenshots.py
 
 validation: .venv/ready ## Compare our numbers with others', into build/validation and docs
 	@$(VENV_PYTHON) -m tools.validation

@@ -5,8 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsApplication
+from qgis.PyQt.QtCore import QCoreApplication
+
+from .translation import install_translator
 
 if TYPE_CHECKING:
+    from qgis.PyQt.QtCore import QTranslator
+
     from ..processing_algorithms.provider import MuyscProvider
     from .gui.desktop import Desktop
 
@@ -19,6 +24,8 @@ class MuyscPlugin:
         self.iface = iface
         self.provider: MuyscProvider | None = None
         self.desktop: Desktop | None = None
+        # First of all, because algorithms and widgets take their texts when they are made.
+        self.translator: QTranslator | None = install_translator()
 
     def initProcessing(self) -> None:  # noqa: N802 - QGIS calls it
         """Register the provider."""
@@ -26,6 +33,7 @@ class MuyscPlugin:
 
         self.provider = MuyscProvider()
         QgsApplication.processingRegistry().addProvider(self.provider)
+        self.provider.attach_models()
 
     def initGui(self) -> None:  # noqa: N802 - QGIS calls it
         """Set up what the desktop needs."""
@@ -43,3 +51,6 @@ class MuyscPlugin:
         if self.provider is not None:
             QgsApplication.processingRegistry().removeProvider(self.provider)
             self.provider = None
+        if self.translator is not None:
+            QCoreApplication.removeTranslator(self.translator)
+            self.translator = None

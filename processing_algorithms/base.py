@@ -10,18 +10,24 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeedback,
+    QgsProcessingOutputDefinition,
     QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFolderDestination,
 )
+from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtGui import QIcon
 
 from ..muysc_qgis.errors import Cancelled, MuyscError
 from ..muysc_qgis.progress import Progress
 from ..muysc_qgis.staging import Staging, check_destination
+from ..muysc_qgis.translation import tr
+from .language import translated
 
 ROOT = Path(__file__).resolve().parent.parent
 HELP_FOLDER = Path(__file__).parent / "help"
+#: One page for each algorithm, made by ``make reference``.
+PAGES = ROOT / "docs" / "reference"
 #: One icon for each group of the toolbox, by its id.
 GROUP_ICONS = ROOT / "icons" / "groups"
 
@@ -84,10 +90,10 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         return self.NAME
 
     def displayName(self) -> str:
-        return self.TITLE
+        return tr(self.TITLE)
 
     def group(self) -> str:
-        return self.GROUP
+        return tr(self.GROUP)
 
     def groupId(self) -> str:
         return self.GROUP_ID
@@ -98,15 +104,20 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
     def icon(self) -> QIcon:
         return QIcon(str(GROUP_ICONS / f"{self.GROUP_ID}.svg"))
 
+    def helpUrl(self) -> str:
+        return help_url(self.name())
+
     def shortHelpString(self) -> str:
-        text = (HELP_FOLDER / f"{self.NAME}.html").read_text(encoding="utf-8")
-        # QGIS would make a paragraph of every line.
-        return text.replace("\n", " ")
+        return " ".join(map(tr, help_paragraphs(self.NAME)))
 
     def initAlgorithm(self, configuration: dict[str, Any] | None = None) -> None:
         for parameter in self.declare():
-            self.addParameter(parameter)
+            self.addParameter(translated(parameter))
         self.declare_outputs()
+
+    def addOutput(self, output: QgsProcessingOutputDefinition) -> bool:
+        output.setDescription(tr(output.description()))
+        return super().addOutput(output)
 
     def checkParameterValues(
         self, parameters: dict[str, Any], context: QgsProcessingContext
@@ -168,6 +179,18 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
                     f"{name} is no parameter of {self.id()} and was ignored; the parameters are "
                     f"{', '.join(sorted(declared))}."
                 )
+
+
+def help_url(name: str) -> str:
+    """Return the page of an algorithm, which comes with the plugin and needs no network."""
+    return QUrl.fromLocalFile(str(PAGES / f"{name}.html")).toString()
+
+
+def help_paragraphs(name: str) -> list[str]:
+    """Return the paragraphs of a help page, each on one line."""
+    page = (HELP_FOLDER / f"{name}.html").read_text(encoding="utf-8")
+    # QGIS would make a paragraph of every line.
+    return [f"{' '.join(one.split())}</p>" for one in page.split("</p>") if one.strip()]
 
 
 def progress_of(feedback: QgsProcessingFeedback, start: float, end: float) -> Progress:

@@ -22,6 +22,7 @@ from ...muysc_qgis.radiography.aperture import Aperture
 from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.topography.sight import Sight
 from ...muysc_qgis.workflows.simulation import Simulation
+from ..language import english_label
 from ..parameters.values import explained
 from .told import told
 
@@ -154,7 +155,7 @@ def _files(
             given = parameters.get(name)
             path = given if isinstance(given, str) and Path(given).suffix else None
         if path is not None:
-            files[definition.description()] = path
+            files[english_label(definition)] = path
     return files
 
 

@@ -25,6 +25,7 @@ from ...muysc_qgis.radiography.materials import MATERIALS
 from ...muysc_qgis.radiography.spectra import MODELS
 from ...muysc_qgis.telescope.presets import CUSTOM, PRESETS
 from ...muysc_qgis.tomography.solvers import METHODS
+from ..language import english_label
 from ..parameters.telescope import NONE
 
 #: Units that labels of parameters end with, and what comes before the stand-in for no value.
@@ -83,7 +84,7 @@ def told(
     for definition in algorithm.parameterDefinitions():
         if definition.isDestination() or definition.name() in left_out:
             continue
-        label, unit, otherwise = _split_label(definition.description())
+        label, unit, otherwise = _split_label(english_label(definition))
         value = parameters.get(definition.name())
         if value is None or value == "":
             value = definition.defaultValue()

@@ -16,6 +16,7 @@ from qgis.core import (
 
 from ...muysc_qgis.errors import MuyscError
 from ..compat import ADVANCED
+from ..language import english_help
 
 #: Digits after the point in dialogs; scripts may give more.
 _DECIMALS = 3
@@ -113,9 +114,9 @@ def read_number(
         except ValueError:
             value = math.nan
     if not math.isfinite(value):
+        remedy = english_help(definition)
         raise MuyscError(
-            f"{name} is “{raw}”, which is not a finite number; {definition.help()[0].lower()}"
-            f"{definition.help()[1:]}"
+            f"{name} is “{raw}”, which is not a finite number; {remedy[0].lower()}{remedy[1:]}"
         )
     return value
 
@@ -158,7 +159,7 @@ def read_within(
     whole = definition.dataType() == QgsProcessingParameterNumber.Type.Integer
     value = (read_count if whole else read_number)(algorithm, parameters, name, context)
     if value is not None and not definition.minimum() <= value <= definition.maximum():
-        remedy = definition.help().partition(". ")[0].rstrip(".")
+        remedy = english_help(definition).partition(". ")[0].rstrip(".")
         raise MuyscError(f"{name} is {value:g}; {remedy[0].lower()}{remedy[1:]}.")
     return value
 

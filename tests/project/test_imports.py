@@ -21,11 +21,14 @@ ROOMS = {
     "muysc_qgis/topography": {"numpy", "scipy", "osgeo", "pyproj"},
     "muysc_qgis/plots": {"numpy", "scipy", "osgeo", "pyproj", "matplotlib", "jinja2"},
     "muysc_qgis/plugin.py": {"qgis"},
+    "muysc_qgis/translation.py": {"qgis"},
     # The package processing is a part of QGIS.
     "muysc_qgis/gui": {"numpy", "qgis", "processing", "matplotlib"},
     "muysc_qgis": {"numpy", "scipy", "osgeo", "pyproj"},
     "processing_algorithms": {"numpy", "osgeo", "qgis"},
 }
+#: Modules of the library, outside the desktop, that need QGIS.
+USES_QGIS = ("plugin.py", "translation.py")
 #: What every room may import of the project itself.
 _COMMON = {"errors", "progress", "quantities", "__version__"}
 #: And what these may: rock and muons know no terrain, no file and no picture; terrain,
@@ -147,7 +150,7 @@ def test_qt_comes_through_qgis_and_figures_never_through_pyplot(file):
 
 @SHIPPED
 def test_the_library_loads_nothing_heavy(file):
-    if LIBRARY not in file.parents or room_of(file, ROOMS).endswith(("plugin.py", "gui")):
+    if LIBRARY not in file.parents or room_of(file, ROOMS).endswith((*USES_QGIS, "gui")):
         return
     nodes = [
         node for node in at_load(tree_of(file)) if isinstance(node, (ast.Import, ast.ImportFrom))
@@ -170,7 +173,7 @@ def test_loading_every_module_of_the_library_loads_only_numpy():
     modules = [
         ".".join(file.relative_to(ROOT).with_suffix("").parts)
         for file in LIBRARY.rglob("*.py")
-        if file.name not in ("plugin.py", "__init__.py") and "gui" not in file.parts
+        if file.name not in (*USES_QGIS, "__init__.py") and "gui" not in file.parts
     ]
     code = (
         "import importlib, sys\n"
