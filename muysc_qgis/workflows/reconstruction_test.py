@@ -45,7 +45,7 @@ _FINER, _MOST_FINE = 2, 32_000_000
 _INSIDE = 0.5
 
 #: Shares of the progress bar.
-_SURVEYED, _COUNTED = 0.25, 0.5
+_SURVEYED, _COUNTED = 0.25, 0.35
 
 
 @dataclass(frozen=True)
@@ -123,6 +123,24 @@ def reconstruct_known_model(
     """
     data = [station_data(station, aperture) for station in stations]
     lines = survey(data, dem, plan, choices.mask, crs, progress=part(progress, 0.0, _SURVEYED))
+    return find_known_model(
+        lines, stations, aperture, dem, model, physics, campaign, choices,
+        part(progress, _SURVEYED, 1.0),
+    )  # fmt: skip
+
+
+def find_known_model(
+    lines: Sightlines,
+    stations: Sequence[Station],
+    aperture: Aperture,
+    dem: Dem,
+    model: KnownModel,
+    physics: Physics,
+    campaign: Campaign,
+    choices: TomographyChoices,
+    progress: Progress = silent,
+) -> KnownModelResult:
+    """Return what stations whose rays are laid find of a known model; see above."""
     metric = lines.paths.grid
     bodies = model.bodies(lines.frame, metric)
     density, shares = density_in(metric, bodies, model.density)
@@ -134,7 +152,7 @@ def reconstruct_known_model(
     )
     seen, choices, muons = _observe(
         lines, opacity, stations, aperture, physics, campaign, choices,
-        part(progress, _SURVEYED, _COUNTED),
+        part(progress, 0.0, _COUNTED),
     )  # fmt: skip
     if choices.reference_density is None:
         choices = replace(choices, reference_density=model.density)
