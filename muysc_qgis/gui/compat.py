@@ -6,6 +6,13 @@ from qgis.core import QgsMapLayerProxyModel, QgsWkbTypes
 from qgis.PyQt.QtCore import QPointF
 from qgis.PyQt.QtGui import QMouseEvent
 
+try:
+    from qgis.PyQt.QtGui import QAction
+except ImportError:  # Qt 5
+    from qgis.PyQt.QtWidgets import QAction
+
+__all__ = ["LINES", "POLYGONS", "RASTER_LAYERS", "QAction", "position_of"]
+
 RASTER_LAYERS = QgsMapLayerProxyModel.Filter.RasterLayer
 POLYGONS = QgsWkbTypes.GeometryType.PolygonGeometry
 LINES = QgsWkbTypes.GeometryType.LineGeometry

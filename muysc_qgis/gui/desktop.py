@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 from qgis.core import QgsProject
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtWidgets import QAction
 
 from . import sites
+from .compat import QAction
 from .icons import icon
 from .texts import tr
 
