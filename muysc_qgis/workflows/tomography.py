@@ -22,6 +22,7 @@ from ..tomography.system import GRAMS_PER_CM2, System
 from ..tomography.voxels import VoxelGrid
 from ..topography.dem import Dem
 from ..topography.frame import from_wgs84
+from .ray_data import ray_data
 from .sightlines import Sightlines, lay_sightlines
 from .station_data import RockSeen, StationData, rock_of_all
 from .tomography_result import Tomography, result_of
@@ -35,10 +36,6 @@ if TYPE_CHECKING:
 #: neighbours and their multipliers; and the Bayesian method on its padded grid.
 _NUMBERS_PER_VOXEL = {"bayes": 100}
 _FEW_NUMBERS_PER_VOXEL = 40
-
-#: Why a ray through the volume does not count.
-NO_VALUE = "the muogram has no value"
-NO_ERROR = "the error is not known"
 
 #: Shares of the progress bar.
 _LAID = 0.3
@@ -186,22 +183,15 @@ def reconstruct_volume(
         If the receiver of the progress asks for a stop.
     """
     _check_voxels(lines.grid, choices.memory_bytes, choices.method)
-    opacity, error, lost = _data(lines, choices)
-    used = np.flatnonzero(np.isfinite(opacity) & (error > 0))
-    if not used.size:
-        raise MuyscError(
-            f"None of the {len(opacity)} rays through the volume has a known opacity with an "
-            "error above 0; check the muograms and their errors."
-        )
-    opacity, error = opacity[used], error[used]
+    known = ray_data(
+        lines, choices.reference_density, choices.relative_error, choices.length_error_m
+    )
+    reference, used = known.reference_density, known.used
     warnings = _warnings(lines, used, choices)
     paths = lines.paths.take(used)
     projector, more = _projector(paths, choices, part(progress, 0.0, _BUILT))
-    reference = choices.reference_density
-    if reference is None:
-        reference = float(opacity.sum() / (GRAMS_PER_CM2 * lines.thickness_m[used].sum()))
-    data = opacity / GRAMS_PER_CM2 - reference * lines.outside_m[used]
-    errors = error / GRAMS_PER_CM2 if np.isfinite(error).all() else None
+    data = known.opacity / GRAMS_PER_CM2 - reference * lines.outside_m[used]
+    errors = None if known.error is None else known.error / GRAMS_PER_CM2
     system = System(projector, data, lines.lattice, paths.rays.view, errors)
     found = reconstruct(
         choices.method, system, _with_reference(choices.options, reference),
@@ -213,7 +203,9 @@ def reconstruct_volume(
             f"One density of {reference:.4g} g/cm³ explains the data within their errors, so that "
             f"{choices.method} had nothing to do; give smaller errors if they are known."
         )
-    return result_of(lines, choices.method, system, found, reference, lost, (*warnings, *more))
+    return result_of(
+        lines, choices.method, system, found, reference, known.lost, (*warnings, *more)
+    )
 
 
 def _check_voxels(grid: VoxelGrid, memory_bytes: int, method: str = "") -> None:
@@ -227,39 +219,6 @@ def _check_voxels(grid: VoxelGrid, memory_bytes: int, method: str = "") -> None:
             f"{memory_bytes / 2**30:.3g} GiB; use voxels of {factor * grid.size_m[0]:.3g} m or "
             "larger, or allow more memory."
         )
-
-
-def _data(
-    lines: Sightlines, choices: TomographyChoices
-) -> tuple[np.ndarray, np.ndarray, dict[str, int]]:
-    """Return opacity and error (g/cm²) of each ray, the error infinite where it is not known."""
-    opacities, errors = [], []
-    lost: dict[str, int] = dict(lines.lost)
-    for station in lines.stations:
-        if station.opacity is None:
-            raise MuyscError(f"{station.name} has no opacities; simulate or read them first.")
-        opacities.append(station.opacity)
-        if station.error is not None:
-            errors.append(station.error)
-        elif choices.relative_error is not None:
-            errors.append(choices.relative_error * station.opacity)
-        else:
-            errors.append(np.full(len(station), np.inf))
-    opacity = np.concatenate(opacities)[lines.pixel]
-    error = np.concatenate(errors)[lines.pixel]
-    missing = np.isnan(opacity)
-    for cause in sorted({cause for station in lines.stations for cause in station.lost}):
-        because = np.concatenate(
-            [station.lost.get(cause, np.zeros(len(station), bool)) for station in lines.stations]
-        )[lines.pixel]
-        lost[cause] = int(np.count_nonzero(missing & because))
-        missing &= ~because
-    lost[NO_VALUE] = int(np.count_nonzero(missing))
-    lost[NO_ERROR] = int(np.count_nonzero(np.isfinite(opacity) & ~(error > 0)))
-    if np.isfinite(error).any():
-        density = choices.reference_density or 2.65
-        error = np.hypot(error, GRAMS_PER_CM2 * density * choices.length_error_m)
-    return opacity, error, {cause: count for cause, count in lost.items() if count}
 
 
 def _projector(

@@ -55,8 +55,8 @@ def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
         number(
             "RELATIVE_ERROR", "Error of the opacities (%)",
             "Give the standard error of opacities in % where there are no rasters of errors, 0 or "
-            "more. 0 stands for unknown: then all rays count the same, no method stops at the "
-            "errors, and bayes cannot be used.",
+            "more; it is at least that of a tenth of the mean opacity. 0 stands for unknown: then "
+            "all rays count the same, no method stops at the errors, and bayes cannot be used.",
             5.0, 0, 1000,
         ),
         number(

@@ -20,10 +20,10 @@ from muysc_qgis.topography.sight import take_sight
 from muysc_qgis.trajectories import TrajectoryMap
 from muysc_qgis.workflows import tomography as workflow
 from muysc_qgis.workflows.muogram_data import NamedView, bare_stations, read_survey
+from muysc_qgis.workflows.ray_data import NO_ERROR, NO_VALUE, ray_data
 from muysc_qgis.workflows.simulation import Telescope, simulate
 from muysc_qgis.workflows.station_data import rock_of_all
 from muysc_qgis.workflows.tomography import (
-    NO_VALUE,
     TomographyChoices,
     projection_of,
     reconstruct_volume,
@@ -332,6 +332,33 @@ def test_volumes_that_cannot_be_are_refused(dem, simulations, plan, sentence):
 def test_choices_that_mean_nothing_are_refused(choices, sentence):
     with pytest.raises(MuyscError, match=sentence):
         TomographyChoices(**choices)
+
+
+def test_assumed_errors_and_those_of_the_lengths_add_up(lines):
+    """5 % of the opacity, at least that of a tenth of the mean, and 2 m of rock beside it."""
+    opacity = 250.0 * lines.thickness_m
+    bare = tuple(one.with_opacity(each, None)
+                 for one, each in zip(lines.stations, lines.per_pixel(opacity)))  # fmt: skip
+    known = ray_data(replace(lines, stations=bare), 2.5, 0.05, 2.0)
+    assumed = 0.05 * np.maximum(opacity, 0.1 * opacity.mean())
+    np.testing.assert_allclose(known.error, np.sqrt(assumed**2 + 500.0**2))
+    assert ray_data(replace(lines, stations=bare), None, None, 2.0).error is None
+
+
+def test_rays_without_an_error_are_left_out_and_counted(lines):
+    opacity, error = 250.0 * lines.thickness_m, np.full(len(lines.thickness_m), 10.0)
+    error[:4] = np.nan, 0.0, np.inf, 1e-9
+    pairs = zip(lines.stations, lines.per_pixel(opacity), lines.per_pixel(error))
+    some = replace(lines, stations=tuple(one.with_opacity(*pair) for one, *pair in pairs))
+    known = ray_data(some, None, None, 0.0)
+    assert known.lost[NO_ERROR] == 3
+    assert known.used[0] == 3
+    half = replace(some, stations=(replace(some.stations[0], error=None), *some.stations[1:]))
+    with pytest.raises(MuyscError, match=r"5 of 6 stations have errors of their opacities"):
+        ray_data(half, None, None, 0.0)
+    nothing = tuple(one.with_opacity(np.full(len(one), np.nan), None) for one in lines.stations)
+    with pytest.raises(MuyscError, match=r"None of the \d+ rays .* has an opacity above 0"):
+        ray_data(replace(lines, stations=nothing), None, None, 0.0)
 
 
 def test_bayes_without_errors_says_what_it_needs(lines):
