@@ -17,6 +17,9 @@ from ..topography.sampling import heights_at
 #: the rest it is the mountain itself that hides the target.
 _FREE_SHARE = 0.25
 
+#: Height of a telescope above its ground, m: on level ground the line of sight is not the ground.
+_EYE_M = 2.0
+
 #: Points at which that part of the way is looked at.
 _PROBES = 40
 
@@ -212,7 +215,7 @@ def _sees(
     share = 1 - _FREE_SHARE * (np.arange(_PROBES) + 1) / _PROBES
     way = distance[..., None] * share
     ground = heights_at(frame.dem, *frame.ground_positions(azimuth[..., None], way))
-    line = aim + (height - aim)[..., None] * share
+    line = aim + (height + _EYE_M - aim)[..., None] * share
     # The ground bulges above the chord between the two points.
     bulge = way * (distance[..., None] - way) / (2 * frame.radius_m)
     return np.asarray(np.all(ground + bulge <= line, axis=-1))
