@@ -20,7 +20,8 @@ def open_dialog(algorithm: str, parameters: Mapping[str, Any]) -> Any:
     # The Processing plugin is there in the desktop only.
     import processing
 
-    dialog = processing.createAlgorithmDialog(algorithm, dict(parameters))
+    known = {name: value for name, value in parameters.items() if value not in (None, "")}
+    dialog = processing.createAlgorithmDialog(algorithm, known)
     dialog.show()
     return dialog
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from qgis.gui import QgisInterface, QgsCollapsibleGroupBox, QgsDockWidget, QgsMapTool
+from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import (
     QApplication,
@@ -28,6 +28,7 @@ from .planner import Planner
 from .settings_form import SettingsForm
 from .sites_pane import SitesPane
 from .texts import tr
+from .widgets import folded_box
 
 _RADIOGRAPHY, _EXPECTED_COUNTS = "muysc:radiography", "muysc:expectedcounts"
 
@@ -50,8 +51,7 @@ class PlanningDock(QgsDockWidget):
         self.form = SettingsForm()
         self.muogram = MuogramPane(self.planner)
         self.sites = SitesPane(self.planner, self._canvas)
-        self.places = QgsCollapsibleGroupBox(tr("Candidate sites"))
-        self.places.setCollapsed(True)
+        self.places = folded_box(tr("Candidate sites"))
         inside = QVBoxLayout(self.places)
         inside.setContentsMargins(0, 0, 0, 0)
         inside.addWidget(self.sites)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import Qt, QTimer
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from ..quantities import QUANTITIES
-from .icons import icon
 from .muogram_picture import Scene
 from .muogram_view import MuogramView
 from .picture_actions import copy_picture, save_picture
@@ -16,6 +14,7 @@ from .preview import SHOWN, Preview
 from .readout import describe_pixel, describe_preview
 from .section_window import SectionWindow
 from .texts import tr
+from .widgets import folded_box, icon_button, wrapping_label
 
 #: Lines that a pixel takes in a narrow dock.
 _READOUT_LINES = 5
@@ -31,18 +30,15 @@ class MuogramPane(QWidget):
         self.quantity = QComboBox()
         for name in SHOWN:
             self.quantity.addItem(tr(QUANTITIES[name].title), name)
-        self.copy = _button("copy", tr("Copy picture"))
-        self.save = _button("save", tr("Save picture…"))
+        self.copy = icon_button("copy", tr("Copy picture"), self._copy)
+        self.save = icon_button("save", tr("Save picture…"), self._save)
         self.view = MuogramView()
-        self.readout = QLabel()
-        self.readout.setWordWrap(True)
+        self.readout = wrapping_label()
         self.readout.setAlignment(Qt.AlignmentFlag.AlignTop)
         # Room for all lines of a pixel, so that the picture does not jump.
         self.readout.setMinimumHeight(_READOUT_LINES * self.fontMetrics().lineSpacing())
-        self.notes = QgsCollapsibleGroupBox()
-        self.notes.setCollapsed(True)
-        self.warnings = QLabel()
-        self.warnings.setWordWrap(True)
+        self.notes = folded_box()
+        self.warnings = wrapping_label()
         QVBoxLayout(self.notes).addWidget(self.warnings)
         self.section: SectionWindow | None = None
         top = QHBoxLayout()
@@ -74,8 +70,6 @@ class MuogramPane(QWidget):
         self._planner.previewed.connect(self._take)
         self._planner.emptied.connect(self._empty)
         self.quantity.currentIndexChanged.connect(self._show_quantity)
-        self.copy.clicked.connect(self._copy)
-        self.save.clicked.connect(self._save)
         self.view.hovered.connect(self._hover)
         self.view.left.connect(self._leave)
         self.view.clicked.connect(self._click)
@@ -147,11 +141,3 @@ class MuogramPane(QWidget):
         picture = self.view.picture()
         if picture is not None:
             save_picture(self, picture)
-
-
-def _button(name: str, text: str) -> QToolButton:
-    button = QToolButton()
-    button.setIcon(icon(name))
-    button.setText(text)
-    button.setToolTip(text)
-    return button

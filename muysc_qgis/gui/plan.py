@@ -6,9 +6,16 @@ import json
 from dataclasses import asdict, dataclass, fields, replace
 from typing import Any
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsPointXY,
+    QgsProject,
+)
 
 from ...processing_algorithms.parameters.telescope import NONE
+from ..errors import MuyscError
 from ..telescope.presets import PRESETS
 
 #: Decimals of coordinates: a millimetre or better.
@@ -41,6 +48,23 @@ class Place:
     def system(self) -> QgsCoordinateReferenceSystem:
         """The coordinate reference system."""
         return QgsCoordinateReferenceSystem(self.crs)
+
+    def point_in(self, crs: QgsCoordinateReferenceSystem) -> QgsPointXY:
+        """Return the point in another system.
+
+        Raises
+        ------
+        MuyscError
+            If that does not reach there.
+        """
+        to_crs = QgsCoordinateTransform(self.system, crs, QgsProject.instance())
+        try:
+            return to_crs.transform(self.point)
+        except QgsCsException as error:
+            raise MuyscError(
+                f"The point {self.text} cannot be shown in {crs.description()}; choose a system "
+                "that covers it."
+            ) from error
 
     @property
     def text(self) -> str:
@@ -127,12 +151,23 @@ class Plan:
     def from_json(cls, text: str) -> Plan:
         """Return a plan that a project kept; the default for whatever it lacks."""
         try:
-            kept = json.loads(text)
-            known = {field.name for field in fields(cls)}
-            values = {name: value for name, value in kept.items() if name in known}
-            for name in ("detector", "target"):
-                if values.get(name) is not None:
-                    values[name] = Place(**values[name])
-            return cls(**values)
-        except (ValueError, TypeError, AttributeError):
+            kept = dict(json.loads(text))
+            places = {
+                name: Place(**kept[name]) for name in ("detector", "target") if kept.get(name)
+            }
+        except (ValueError, TypeError):
             return cls()
+        values = {
+            field.name: kept[field.name]
+            for field in fields(cls)
+            if field.name in kept and _fits(kept[field.name], field.default)
+        }
+        return cls(**{**values, **places})
+
+
+def _fits(value: object, default: object) -> bool:
+    """Return whether a value can stand in for a default: numbers and texts for their like."""
+    numbers = (float, int)
+    if default is None or isinstance(default, numbers):
+        return isinstance(value, numbers) or value is default
+    return isinstance(value, type(default))

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from qgis.PyQt.QtCore import QRectF, QSize, Qt
 from qgis.PyQt.QtGui import QImage, QPainter, QPaintEvent
-from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QVBoxLayout, QWidget
 
 from .picture_actions import copy_picture, save_picture
 from .preview import Background
 from .sections import RaySection
 from .texts import tr
+from .widgets import wrapping_label
 
 
 class _Picture(QWidget):
@@ -50,8 +51,7 @@ class SectionWindow(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Section along a ray"))
         self.picture = _Picture()
-        self.told = QLabel()
-        self.told.setWordWrap(True)
+        self.told = wrapping_label()
         self.told.setVisible(False)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         roles = QDialogButtonBox.ButtonRole

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from qgis.core import QgsMapLayer, QgsRasterLayer
-from qgis.gui import QgsCollapsibleGroupBox, QgsMapLayerComboBox
+from qgis.gui import QgsMapLayerComboBox
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QComboBox,
@@ -28,6 +28,7 @@ from .compat import RASTER_LAYERS
 from .icons import icon
 from .plan import Plan
 from .texts import tr
+from .widgets import folded_box
 
 #: Largest acceptance (cm² sr), number of muons and of days that can be typed.
 _LARGEST = 1e9
@@ -93,8 +94,7 @@ class SettingsForm(QWidget):
         terrain.addRow(tr("Telescope"), self.preset)
         field = _side_by_side(self.azimuth, QLabel("×"), self.elevation)
         terrain.addRow(tr("Field of view"), field)
-        self.physics = QgsCollapsibleGroupBox(tr("Rock, muons and time"))
-        self.physics.setCollapsed(True)
+        self.physics = folded_box(tr("Rock, muons and time"))
         rock = _form(self.physics)
         for label, widget in (
             (tr("Material"), self.material),

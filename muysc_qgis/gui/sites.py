@@ -7,7 +7,6 @@ from dataclasses import asdict, dataclass
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
     QgsFeature,
     QgsGeometry,
     QgsMarkerSymbol,
@@ -97,11 +96,10 @@ def add_site(layer: QgsVectorLayer, name: str, place: Place, height_m: float) ->
     Raises
     ------
     MuyscError
-        If the layer cannot be written.
+        If the layer cannot be written, or does not reach there.
     """
-    to_layer = QgsCoordinateTransform(place.system, layer.crs(), QgsProject.instance())
     feature = QgsFeature(layer.fields())
-    feature.setGeometry(QgsGeometry.fromPointXY(to_layer.transform(place.point)))
+    feature.setGeometry(QgsGeometry.fromPointXY(place.point_in(layer.crs())))
     names = layer.fields().names()
     for key, value in ((_NAME, name), (_HEIGHT, height_m)):
         if key in names:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from qgis.core import QgsCoordinateTransform, QgsProject, QgsVectorLayer
+from qgis.core import QgsProject, QgsVectorLayer
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QShowEvent
@@ -12,10 +12,8 @@ from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QTableWidget,
     QTableWidgetItem,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -24,10 +22,10 @@ from ..errors import MuyscError
 from ..workflows.planning import SiteFigures
 from . import sites
 from .comparison import Comparison, plan_at
-from .icons import icon
 from .planner import Planner
 from .sites import Site
 from .texts import bare_metres, metres, rounded, tr
+from .widgets import icon_button, wrapping_label
 
 #: Denominator of the scale in which a site that is zoomed to is seen at least.
 _SITE_SCALE = 25_000
@@ -55,12 +53,11 @@ class SitesPane(QWidget):
         self.table.itemChanged.connect(self._rename)
         self.table.itemDoubleClicked.connect(lambda item: self.use_chosen())
         self.table.itemSelectionChanged.connect(self._enable)
-        self.add = _button("site_add", tr("Add the detector as a site"), self.add_detector)
-        self.use = _button("detector", tr("Use the site as detector"), self.use_chosen)
-        self.zoom = _button("zoom", tr("Zoom to the site"), self.zoom_to_chosen)
-        self.remove = _button("site_remove", tr("Remove the sites chosen"), self.remove_chosen)
-        self.told = QLabel()
-        self.told.setWordWrap(True)
+        self.add = icon_button("site_add", tr("Add the detector as a site"), self.add_detector)
+        self.use = icon_button("detector", tr("Use the site as detector"), self.use_chosen)
+        self.zoom = icon_button("zoom", tr("Zoom to the site"), self.zoom_to_chosen)
+        self.remove = icon_button("site_remove", tr("Remove the sites chosen"), self.remove_chosen)
+        self.told = wrapping_label()
         buttons = QHBoxLayout()
         for button in (self.add, self.use, self.zoom, self.remove):
             buttons.addWidget(button)
@@ -109,9 +106,12 @@ class SitesPane(QWidget):
     def zoom_to_chosen(self) -> None:
         """Show the site chosen in the middle of the map."""
         for site in self._chosen()[:1]:
-            crs = self._canvas.mapSettings().destinationCrs()
-            to_map = QgsCoordinateTransform(site.place.system, crs, QgsProject.instance())
-            self._canvas.setCenter(to_map.transform(site.place.point))
+            try:
+                middle = site.place.point_in(self._canvas.mapSettings().destinationCrs())
+            except MuyscError as error:
+                self.told.setText(str(error))
+                return
+            self._canvas.setCenter(middle)
             self._canvas.zoomScale(min(self._canvas.scale(), _SITE_SCALE))
 
     def remove_chosen(self) -> None:
@@ -218,7 +218,7 @@ def _numbered(number: int) -> str:
 
 def _row(figures: SiteFigures | None, failed: bool) -> tuple[str, ...]:
     if figures is None:
-        return ("–" if failed else "…",) * (_FIGURES)
+        return ("–" if failed else "…",) * _FIGURES
     return (
         bare_metres(figures.target_distance_m),
         bare_metres(figures.maximum_thickness_m),
@@ -274,12 +274,3 @@ def _table() -> QTableWidget:
     line = table.fontMetrics().lineSpacing()
     table.setMinimumHeight(int(line * (2.5 + 1.6 * _ROWS)))
     return table
-
-
-def _button(name: str, text: str, pressed: Callable[[], None]) -> QToolButton:
-    button = QToolButton()
-    button.setIcon(icon(name))
-    button.setText(text)
-    button.setToolTip(text)
-    button.clicked.connect(lambda: pressed())
-    return button

@@ -194,8 +194,25 @@ def test_a_project_without_a_plan_stays_as_it_is(dock, project, tmp_path):
 
 def test_what_is_no_plan_in_a_project_is_ignored(gui, project):
     Plan = gui("plan").Plan  # noqa: N806
-    for text in ("", "nonsense", "[1]", '{"detector": 3}', '{"unheard_of": 1}'):
+    for text in ("", "nonsense", "[1]", "3", '{"detector": 3}', '{"detector": {"x": 1}}'):
         assert Plan.from_json(text) == Plan()
+    assert Plan.from_json('{"unheard_of": 1, "muons": "many", "days": 7.5}') == Plan(days=7.5)
+    plan = Plan(detector=gui("plan").Place(1.5, 2, "EPSG:4326"), density_g_cm3=2.4)
+    assert Plan.from_json(plan.to_json()) == plan
+
+
+def test_a_system_without_a_code_reaches_the_algorithm(planned, iface, hand):
+    crs = QgsCoordinateReferenceSystem.fromProj("+proj=laea +lat_0=40.8 +lon_0=14.4 +units=m")
+    assert not crs.authid()
+    iface.mapCanvas().setDestinationCrs(crs)
+    iface.mapCanvas().zoomToFullExtent()
+    before = planned.planner.preview.inputs.sight.target_distance_m
+    hand.two_clicks()
+    assert planned.planner.plan.detector.crs.startswith("WKT:")
+    after = planned.planner.preview.inputs.sight.target_distance_m
+    assert after == pytest.approx(before, abs=60)
+    parameters = planned.planner.plan.radiography(planned.planner.layer.source())
+    assert_same(planned.planner.preview, run("muysc:radiography", parameters))
 
 
 def test_the_dialog_is_filled_in(planned, monkeypatch):
