@@ -139,22 +139,9 @@ def test_a_sweep_over_disjoint_rays_is_kaczmarz_too():
     data = stored.forward(np.random.default_rng(0).random(48 * 48)).astype(float)
     system = System(stored, data, beam.lattice(), paths.rays.view).usable()
     settings = Settings(
-        1,
-        0.8,
-        0.0,
-        "interleaved",
-        1,
-        False,
-        None,
-        np.zeros(48 * 48),
-        0.0,
-        0.1,
-        None,
-        1.0,
-        1.0,
-        0,
-        1,
-    )
+        1, 0.8, 0.0, "interleaved", 1, False, None, np.zeros(48 * 48), 0.0, 0.1, None, 1.0, 1.0,
+        0, 1,
+    )  # fmt: skip
     groups = art._groups(system, settings)
     assert groups is not None
     assert len(groups) > 4
