@@ -15,6 +15,7 @@ from ..quantities import ERROR_SUFFIX
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.settings import Physics
 from ..topography.dem import Dem
+from ..topography.frame import from_wgs84, ground_height
 from ..views import View, like, metres_apart, require_same_directions
 from .measured import Measurement
 from .measured_density import FLAG_MEANINGS, DensityChoices, density_behind
@@ -25,6 +26,9 @@ DATA_QUANTITIES = ("density", "opacity", "flux", "transmission", "thickness")
 
 #: Detectors of a muogram and of its errors farther apart (m) than this are two.
 _SAME_PLACE_M = 1.0
+
+#: A detector farther (m) from where its height above ground puts it is on another terrain.
+_SAME_GROUND_M = 20.0
 
 #: Thicknesses of muogram and DEM that differ by more than this share are not of one terrain.
 _SAME_TERRAIN = 0.05
@@ -91,7 +95,7 @@ def read_survey(
     for number, (one, station, seen) in enumerate(zip(muograms, bare, rock)):
         filled, more = _filled(one, matched[number], station, seen, density)
         stations.append(filled)
-        warnings += more
+        warnings += [*_other_ground(one, station, dem), *more]
         report(progress, 0.6 + 0.4 * (number + 1) / len(muograms))
     return SurveyData(tuple(stations), tuple(rock), quantity, tuple(warnings))
 
@@ -287,6 +291,22 @@ def _inverted(
     density = np.where(known, found.density.ravel(), np.nan)
     error = None if errors is None else np.where(known, found.error.ravel(), np.nan)
     return density, error, {FLAG_MEANINGS[flag]: flags == flag for flag in _NO_OPACITY}
+
+
+def _other_ground(one: NamedView, station: StationData, dem: Dem) -> list[str]:
+    """Return a warning where the detector is not as high above the DEM as its muogram says."""
+    if "DETECTOR_HEIGHT" not in one.view.metadata:
+        return []
+    ground = ground_height(
+        dem, *from_wgs84(dem.crs, station.longitude, station.latitude), "detector"
+    )
+    off = station.elevation_m - _number(one, "DETECTOR_HEIGHT") - ground
+    if abs(off) < _SAME_GROUND_M:
+        return []
+    return [
+        f"{one.name}: its detector stands {abs(off):.0f} m {'above' if off > 0 else 'below'} the "
+        f"ground of {dem.name}; check that both are of one terrain and height system."
+    ]
 
 
 def _other_terrain(one: NamedView, values: np.ndarray, thickness: np.ndarray) -> list[str]:

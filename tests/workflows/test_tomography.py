@@ -209,6 +209,16 @@ def test_one_station_is_warned_of(dem, simulations):
     assert any("one station only" in warning for warning in result.warnings)
 
 
+def test_muograms_of_another_terrain_are_warned_of(dem, simulations):
+    (one,) = views(simulations, "thickness")[:1]
+    high = one.view.number("DETECTOR_ELEVATION") + 60
+    moved = changed(one, "thickness", 1.2 * one.view.values, DETECTOR_ELEVATION=high)
+    assert read_survey([one], [], dem).warnings[1:] == ()
+    _, ground, thickness = read_survey([moved], [], dem).warnings
+    assert "its detector stands 60 m above the ground of vesuvius_srtmgl1.tif" in ground
+    assert "through the elevation model differ by" in thickness
+
+
 def test_a_start_that_explains_the_data_is_told(dem, simulations):
     data = read_survey(views(simulations, "opacity"), [], dem)
     choices = TomographyChoices("sirt", relative_error=0.05)
