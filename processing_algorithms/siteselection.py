@@ -20,6 +20,7 @@ from ..muysc_qgis.workflows.simulation import check_range
 from ..muysc_qgis.workflows.site_assessment import SurveyPlan
 from ..muysc_qgis.workflows.site_selection import Selection, Wanted, select_sites
 from .base import MuyscAlgorithm, progress_of
+from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import destination
 from .outputs.survey import map_outputs, site_outputs, stage_maps, write_sites
 from .parameters.physics import (
@@ -70,6 +71,11 @@ class SiteSelection(MuyscAlgorithm):
         self._finished: Path | None = None
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
+        panel, report = document_outputs()
+        panel.setHelp(
+            "Picture of the score on the map with the sites chosen, the azimuths around the target "
+            "that the telescopes cover, and exposure times against the share seen."
+        )
         points = {one.name(): one for one in sight_parameters()}
         aperture = aperture_parameters()
         for one in aperture:
@@ -87,6 +93,8 @@ class SiteSelection(MuyscAlgorithm):
             *workers_parameters(),
             *map_outputs(),
             *site_outputs(),
+            panel,
+            report,
         ]
 
     def declare_outputs(self) -> None:
@@ -177,6 +185,13 @@ class SiteSelection(MuyscAlgorithm):
             feedback.pushWarning(warning)
         self._finished = folder
         results = stage_maps(self, selection, inputs.plan, parameters, context, staging)
+        files = (inputs.plan.dem.path,)
+        results |= stage_drawn(
+            self,
+            lambda: _drawing().panel(selection, inputs.plan),
+            lambda *told: _drawing().report(selection, inputs.plan, *told),
+            results, parameters, context, feedback, staging, files,
+        )  # fmt: skip
         results |= write_sites(self, selection, inputs.plan, parameters, context)
         return results | _numbers(selection)
 
@@ -199,3 +214,10 @@ def _numbers(selection: Selection) -> dict[str, float]:
         "BEST_SHARE_SEEN": selection.numbers["share_seen"][best],
         "COVERAGE": selection.coverage[-1],
     }
+
+
+def _drawing() -> Any:
+    # Loaded only where something is drawn: matplotlib may be missing.
+    from ..muysc_qgis.plots import survey_documents
+
+    return survey_documents

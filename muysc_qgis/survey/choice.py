@@ -55,7 +55,7 @@ def coverage(azimuth_deg: np.ndarray, score: np.ndarray, width_deg: float) -> np
 
 
 def telescope_set(
-    azimuth_deg: np.ndarray, score: np.ndarray, count: int, width_deg: float | None = None
+    azimuth_deg: np.ndarray, score: np.ndarray, count: int, width_deg: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Choose sites that together cover the azimuths around a target best.
 
@@ -70,7 +70,7 @@ def telescope_set(
     count
         Number of telescopes.
     width_deg
-        See `coverage`; None for 360°/count, where evenly spread sites overlap by half.
+        See `coverage`.
 
     Returns
     -------
@@ -83,13 +83,12 @@ def telescope_set(
     MuyscError
         If the width is not above 0.
     """
-    width = 360.0 / max(count, 1) if width_deg is None else width_deg
-    if not 0 < width <= 360:
+    if not 0 < width_deg <= 360:
         raise MuyscError(
-            f"A width of {width:g}° covers nothing; give degrees above 0 and up to 360."
+            f"A width of {width_deg:g}° covers nothing; give degrees above 0 and up to 360."
         )
     able = _best_of_each_degree(azimuth_deg, score)
-    worth = np.array([coverage(azimuth_deg[[one]], score[[one]], width) for one in able])
+    worth = np.array([coverage(azimuth_deg[[one]], score[[one]], width_deg) for one in able])
     covered = np.zeros(len(_AZIMUTHS))
     chosen: list[int] = []
     means: list[float] = []

@@ -81,7 +81,7 @@ class SurveyPlan:
 class Assessment:
     """What a candidate is worth. All numbers but the score are NaN where nothing is known."""
 
-    #: Median days until a pixel behind which the body lies has counted the muons wanted.
+    #: Median days, over the part of the body that is seen, until a pixel has the muons wanted.
     exposure_days: float
     #: Share of the body's volume seen through rock between the two thicknesses, 0 to 1.
     share_seen: float
@@ -127,7 +127,7 @@ def assess(plan: SurveyPlan, body: TargetBody, position: tuple[float, float]) ->
     behind = known & (rock > 0)
     sky = np.count_nonzero(simulation.muograms["flux"].values[thickness.values == 0] > 0)
     return Assessment(
-        _median(days[behind]),
+        _median(days[seen]),
         float(np.mean(seen)),
         _median(rock[behind]),
         float(np.min(rock[behind])) if behind.any() else float("nan"),

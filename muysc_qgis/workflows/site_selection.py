@@ -37,6 +37,11 @@ class Wanted:
     #: Angle around the target up to which a telescope covers, None for 360°/telescopes.
     width_deg: float | None = None
 
+    @property
+    def width(self) -> float:
+        """Angle around the target up to which a telescope covers, degrees."""
+        return 360.0 / self.telescopes if self.width_deg is None else self.width_deg
+
     def __post_init__(self) -> None:
         if self.best < 1 or self.telescopes < 1:
             raise MuyscError(
@@ -62,6 +67,8 @@ class Selection:
     telescopes: np.ndarray
     #: … and the mean coverage of the azimuths after each.
     coverage: np.ndarray
+    #: Angle up to which each covers, degrees.
+    width_deg: float
     warnings: tuple[str, ...]
 
     def map_of(self, number: str) -> np.ndarray:
@@ -123,7 +130,7 @@ def select_sites(
     score = np.nan_to_num(numbers["score"])
     x, y = transformed(plan.dem.crs, candidates.grid.crs, candidates.x, candidates.y)
     telescopes, coverage = telescope_set(
-        candidates.azimuth_deg, score, wanted.telescopes, wanted.width_deg
+        candidates.azimuth_deg, score, wanted.telescopes, wanted.width
     )
     return Selection(
         candidates,
@@ -131,6 +138,7 @@ def select_sites(
         best_sites(score, x, y, wanted.best, wanted.apart_m),
         telescopes,
         coverage,
+        wanted.width,
         tuple(_warnings(plan, numbers, unusable, wanted, len(telescopes))),
     )
 

@@ -52,7 +52,8 @@ _LABELS = {
 _HELP = {
     "SCORE": "From 0 to 1: the mean over the target body of T/(T + d) where it is seen and 0 "
     "elsewhere, for T days of the campaign and d days until the pixel has its muons.",
-    "EXPOSURE": "Median days until a pixel behind which the target body lies has the muons wanted.",
+    "EXPOSURE": "Median days, over the part of the target body that is seen, until a pixel has the "
+    "muons wanted.",
     "SHARE_SEEN": "Share of the target body's volume that is seen through rock between the "
     "thinnest and the thickest, 0 to 1.",
     "THICKNESS": "Median length in rock of the rays through the target body.",

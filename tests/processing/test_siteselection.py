@@ -54,6 +54,15 @@ def everything(survey, tmp_path):
     }
 
 
+def test_panel_and_report_are_written(run, survey, tmp_path):
+    documents = {"PANEL": str(tmp_path / "panel.png"), "REPORT": str(tmp_path / "report.html")}
+    done = run("siteselection", {**survey, "SPACING": 700, **documents})
+    assert gdal.Open(done["PANEL"]).RasterXSize >= 1200
+    report = Path(done["REPORT"]).read_text(encoding="utf-8")
+    for words in ("Where to put the telescope", "Radius of the target body", "Telescope 1"):
+        assert words in report
+
+
 def test_maps_lie_on_one_metric_grid_with_a_cell_for_each_candidate(run, everything):
     done = run("siteselection", everything)
     score = read(done["SCORE"])

@@ -1,0 +1,125 @@
+"""Report of a survey: what is drawn and told, in which order."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import __version__
+from ..radiography.energy_loss import ENERGY_LOSSES
+from ..radiography.spectra import MODELS
+from ..workflows.site_assessment import SurveyPlan
+from ..workflows.site_selection import Selection
+from .documents import Parameter
+from .report import Citation, OutputFile, Report, ReportFigure, Row
+from .style import png_bytes
+from .survey_panel import survey_maps, survey_panel
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: Resolution (dots per inch) of figures in the report, read on screens.
+_REPORT_DPI = 110
+
+_GREEDY = Citation(
+    "Choice of telescopes: Nemhauser, G. L., Wolsey, L. A. & Fisher, M. L. (1978). An analysis of "
+    "approximations for maximizing submodular set functions—I. Mathematical Programming, 14, "
+    "265–294.",
+    "https://doi.org/10.1007/BF01588971",
+)
+
+
+def panel(selection: Selection, plan: SurveyPlan) -> Figure:
+    """Draw the panel of a survey.
+
+    Raises
+    ------
+    MuyscError
+        If matplotlib is missing.
+    """
+    return survey_panel(selection, plan)
+
+
+def report(
+    selection: Selection,
+    plan: SurveyPlan,
+    parameters: list[Parameter],
+    outputs: Mapping[str, str],
+    date: str,
+    versions: Mapping[str, str],
+) -> Report:
+    """Gather everything that the report of a survey tells.
+
+    Parameters
+    ----------
+    selection, plan
+        What was found, and what was looked for.
+    parameters, outputs, date, versions
+        As for the report of a simulation.
+    """
+    drawn = [
+        ReportFigure(
+            "Score of every candidate with the best sites by rank and the telescopes that go "
+            "together; how well each azimuth around the target is covered; exposure time against "
+            "the share of the target seen.",
+            png_bytes(survey_panel(selection, plan)),
+            "Map of scores, rose of azimuths, and exposure time against share seen",
+            is_panel=True,
+        ),
+        ReportFigure(
+            "Exposure time, share of the target seen, thickness of rock and free sky from every "
+            "candidate.",
+            png_bytes(survey_maps(selection, plan), _REPORT_DPI),
+            "Four maps of numbers of the candidates",
+        ),
+    ]
+    candidates = selection.candidates
+    physics = plan.physics
+    return Report(
+        title="Where to put the telescope",
+        subtitle=f"{len(candidates)} candidates on the elevation model {plan.dem.name}",
+        date=date,
+        figures=drawn,
+        results=_rows(selection),
+        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
+        warnings=selection.warnings,
+        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
+        citations=[
+            _GREEDY,
+            Citation(f"Muon flux model: {MODELS[physics.flux_model].citation}"),
+            Citation(f"Energy loss: {ENERGY_LOSSES[physics.energy_loss]}"),
+        ],
+        versions={
+            "MUYSC for QGIS": __version__,
+            "Python": platform.python_version(),
+            "numpy": np.__version__,
+            **versions,
+        },
+    )
+
+
+def _rows(selection: Selection) -> list[Row]:
+    candidates, numbers = selection.candidates, selection.numbers
+    seeing = int(np.count_nonzero(numbers["share_seen"] > 0))
+    rows = [
+        Row("Candidates", len(candidates)),
+        Row("Candidates that see a part of the target", seeing),
+        *(Row(f"Places {why}", count) for why, count in candidates.removed.items() if count),
+    ]
+    for word, chosen in (("Site", selection.best), ("Telescope", selection.telescopes)):
+        rows += [
+            Row(
+                f"{word} {rank}",
+                f"score {numbers['score'][index]:.3f}, "
+                f"{100 * numbers['share_seen'][index]:.1f} % seen in "
+                f"{numbers['exposure_days'][index]:.3g} days, "
+                f"{candidates.distance_m[index]:.0f} m at {candidates.azimuth_deg[index]:.0f}°",
+            )
+            for rank, index in enumerate(chosen, 1)
+        ]
+    rows.append(Row("Mean coverage of the azimuths", float(selection.coverage[-1])))
+    return rows
