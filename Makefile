@@ -14,7 +14,7 @@ unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint qgis bench reference models translations screenshots validation package clean packages development-packages
+.PHONY: help demo test lint qgis bench reference models translations screenshots validation experiments package clean packages development-packages
 
 help: ## Show this list
 	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/^([a-z]+):.*## /\1\t/' \
@@ -52,6 +52,9 @@ screenshots: development-packages ## Take the pictures of the user guide, into d
 
 validation: .venv/ready ## Compare our numbers with others', into build/validation and docs
 	@$(VENV_PYTHON) -m tools.validation
+
+experiments: .venv/ready ## Reconstruct known mountains beside the paper's figures (ARGS=--quick)
+	@$(VENV_PYTHON) -m tools.experiments $(ARGS)
 
 package: ## Pack the last commit as a zip that QGIS installs, into build
 	@tools/package
