@@ -15,7 +15,8 @@ from qgis.core import (
 
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.topography.dem import Dem
-from ..muysc_qgis.workflows.muogram_data import NamedView, bare_stations, read_survey
+from ..muysc_qgis.workflows.muogram_data import bare_stations, read_survey
+from ..muysc_qgis.workflows.named_view import NamedView
 from ..muysc_qgis.workflows.tomography import TomographyChoices, projection_of, tomography
 from ..muysc_qgis.workflows.tomography_result import Tomography
 from ..muysc_qgis.workflows.volume_plan import VolumePlan

@@ -13,12 +13,12 @@ from ..muogram import DOMAIN, Muogram
 from ..progress import Progress, part, report, silent
 from ..quantities import ERROR_SUFFIX
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from ..radiography.settings import Physics
 from ..topography.dem import Dem
 from ..topography.frame import from_wgs84, ground_height
-from ..views import View, like, metres_apart, require_same_directions
+from ..views import like, metres_apart, require_same_directions
 from .measured import Measurement
 from .measured_density import FLAG_MEANINGS, DensityChoices, density_behind
+from .named_view import NamedView
 from .station_data import RockSeen, StationData, rock_of_all
 
 #: Quantities that an opacity follows from.
@@ -35,16 +35,6 @@ _SAME_TERRAIN = 0.05
 
 #: Flags of pixels whose flux says no opacity.
 _NO_OPACITY = (Flag.LOWER_LIMIT, Flag.BRIGHT, Flag.NO_ANSWER, Flag.TOO_THIN)
-
-_YES_OR_NO = {"yes": True, "no": False}
-
-
-@dataclass(frozen=True)
-class NamedView:
-    """A muogram or raster in telescope angles, and what messages call it."""
-
-    name: str
-    view: View
 
 
 @dataclass(frozen=True)
@@ -103,37 +93,6 @@ def read_survey(
 def bare_stations(muograms: Sequence[NamedView]) -> list[StationData]:
     """Return places and directions of muograms, without opacities."""
     return [_station(one) for one in muograms]
-
-
-def physics_of(one: NamedView) -> Physics:
-    """Return the physics that a muogram was made with.
-
-    Raises
-    ------
-    MuyscError
-        If its metadata do not say it.
-    """
-    told = one.view.metadata
-    words = {
-        key: _entry(one, key)
-        for key in ("MATERIAL", "FLUX_MODEL", "GAISSER_PARAMETERS", "ENERGY_LOSS",
-                    "STRAGGLING", "ALTITUDE_CORRECTION")
-    }  # fmt: skip
-    for key in ("STRAGGLING", "ALTITUDE_CORRECTION"):
-        if words[key] not in _YES_OR_NO:
-            raise MuyscError(
-                f"The metadata key {key} of {one.name} is “{words[key]}”; set it to yes or no."
-            )
-    return Physics(
-        material=words["MATERIAL"],
-        density_g_cm3=_number(one, "DENSITY") if "DENSITY" in told else None,
-        flux_model=words["FLUX_MODEL"],
-        gaisser_parameters=words["GAISSER_PARAMETERS"],
-        energy_loss=words["ENERGY_LOSS"],
-        straggling=_YES_OR_NO[words["STRAGGLING"]],
-        altitude_correction=_YES_OR_NO[words["ALTITUDE_CORRECTION"]],
-        detection_threshold_gev=_number(one, "DETECTION_THRESHOLD"),
-    )
 
 
 def _one_quantity(muograms: Sequence[NamedView]) -> str:
@@ -225,18 +184,18 @@ def _station(one: NamedView) -> StationData:
     target = None
     if {"TARGET_LON", "TARGET_LAT", "TARGET_ELEVATION"} <= set(view.metadata):
         target = (
-            _number(one, "TARGET_LON"), _number(one, "TARGET_LAT"),
-            _number(one, "TARGET_ELEVATION"),
+            one.number("TARGET_LON"), one.number("TARGET_LAT"),
+            one.number("TARGET_ELEVATION"),
         )  # fmt: skip
     return StationData(
         one.name,
-        _number(one, "DETECTOR_LON"),
-        _number(one, "DETECTOR_LAT"),
-        _number(one, "DETECTOR_ELEVATION"),
+        one.number("DETECTOR_LON"),
+        one.number("DETECTOR_LAT"),
+        one.number("DETECTOR_ELEVATION"),
         azimuth.ravel(),
         elevation.ravel(),
-        near_field_m=_number(one, "NEAR_FIELD") if "NEAR_FIELD" in view.metadata else 0.0,
-        max_range_m=_number(one, "MAX_RANGE") if "MAX_RANGE" in view.metadata else None,
+        near_field_m=one.number("NEAR_FIELD") if "NEAR_FIELD" in view.metadata else 0.0,
+        max_range_m=one.number("MAX_RANGE") if "MAX_RANGE" in view.metadata else None,
         target=target,
     )
 
@@ -254,7 +213,7 @@ def _filled(
     warnings: list[str] = []
     if view.quantity == "thickness":
         if "DENSITY" in view.metadata:
-            density = _number(one, "DENSITY")
+            density = one.number("DENSITY")
         if density is None:
             raise MuyscError(
                 f"{one.name} holds thickness and lacks the metadata key DENSITY (domain {DOMAIN}), "
@@ -282,9 +241,9 @@ def _inverted(
     found = density_behind(
         Measurement(view, None if errors is None else errors.view),
         rock,
-        physics_of(one),
+        one.physics(),
         DensityChoices(),
-        _number(one, "DETECTOR_ELEVATION"),
+        one.number("DETECTOR_ELEVATION"),
     ).densities
     flags = found.flags.ravel()
     known = flags == Flag.MEASURED
@@ -300,7 +259,7 @@ def _other_ground(one: NamedView, station: StationData, dem: Dem) -> list[str]:
     ground = ground_height(
         dem, *from_wgs84(dem.crs, station.longitude, station.latitude), "detector"
     )
-    off = station.elevation_m - _number(one, "DETECTOR_HEIGHT") - ground
+    off = station.elevation_m - one.number("DETECTOR_HEIGHT") - ground
     if abs(off) < _SAME_GROUND_M:
         return []
     return [
@@ -321,23 +280,3 @@ def _other_terrain(one: NamedView, values: np.ndarray, thickness: np.ndarray) ->
         f"{one.name}: its thickness and that through the elevation model differ by "
         f"{100 * apart:.2g} % (median); check that both are of one terrain."
     ]
-
-
-def _entry(one: NamedView, key: str) -> str:
-    if key not in one.view.metadata:
-        raise MuyscError(
-            f"{one.name} lacks the metadata key {key} (domain {DOMAIN}), which a muogram of "
-            f"{one.view.quantity} needs here; make it with a MUYSC algorithm or set the key."
-        )
-    return str(one.view.metadata[key])
-
-
-def _number(one: NamedView, key: str) -> float:
-    text = _entry(one, key)
-    try:
-        return float(text)
-    except ValueError:
-        raise MuyscError(
-            f"The metadata key {key} of {one.name} is “{text}”, which is not a number; set it to "
-            "one."
-        ) from None

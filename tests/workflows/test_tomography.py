@@ -19,7 +19,8 @@ from muysc_qgis.topography.frame import from_wgs84
 from muysc_qgis.topography.sight import take_sight
 from muysc_qgis.trajectories import TrajectoryMap
 from muysc_qgis.workflows import tomography as workflow
-from muysc_qgis.workflows.muogram_data import NamedView, bare_stations, read_survey
+from muysc_qgis.workflows.muogram_data import bare_stations, read_survey
+from muysc_qgis.workflows.named_view import NamedView
 from muysc_qgis.workflows.ray_data import NO_ERROR, NO_VALUE, ray_data
 from muysc_qgis.workflows.simulation import Telescope, simulate
 from muysc_qgis.workflows.station_data import rock_of_all
