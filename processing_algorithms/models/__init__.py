@@ -36,6 +36,13 @@ class MuyscModel(QgsProcessingModelAlgorithm):
         if not self.fromFile(str(path)):
             raise ValueError(f"{path.name} holds no model")
         self._english = [self.displayName(), self.group(), *self.helpContent().values()]
+        for step in self.childAlgorithms().values():
+            outputs = step.modelOutputs()
+            for output in outputs.values():
+                self._english.append(output.description())
+                output.setDescription(tr(output.description()))
+            step.setModelOutputs(outputs)
+            self.setChildAlgorithm(step)
         self.setName(tr(self.displayName()))
         self.setGroup(tr(self.group()))
         self.setHelpContent({key: tr(text) for key, text in self.helpContent().items()})
