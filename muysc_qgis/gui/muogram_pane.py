@@ -16,8 +16,8 @@ from .section_window import SectionWindow
 from .texts import tr
 from .widgets import folded_box, icon_button, wrapping_label
 
-#: Lines that a pixel takes in a narrow dock.
-_READOUT_LINES = 5
+#: Lines that a pixel takes.
+_READOUT_LINES = 6
 
 
 class MuogramPane(QWidget):
@@ -112,7 +112,9 @@ class MuogramPane(QWidget):
         if self._preview is None:
             return
         self._pixel = row, column
-        self.readout.setText(describe_pixel(self._preview, row, column))
+        self.readout.setText(
+            describe_pixel(self._preview, row, column, self.quantity.currentData())
+        )
         self._pause.start()
 
     def _show_ray(self) -> None:

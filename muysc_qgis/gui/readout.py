@@ -4,45 +4,55 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..muogram import Muogram
-from ..plots.ticks import compass_points
+from ..quantities import QUANTITIES
 from .preview import Preview
-from .texts import days, metres, tr, with_unit
+from .texts import NO_BREAK, days, metres, tr, with_unit
 
-#: Half the angle between two of the sixteen compass points.
-_HALF_POINT_DEG = 11.25
+#: Quantities that are told only where they are shown.
+_FURTHER = ("transmission", "counts")
 
 
-def describe_pixel(preview: Preview, row: int, column: int) -> str:
-    """Return direction and values of a pixel, a line each."""
-    flux = preview.muogram("flux")
+def describe_pixel(preview: Preview, row: int, column: int, quantity: str) -> str:
+    """Return direction and values of a pixel as a small table in HTML.
+
+    Parameters
+    ----------
+    preview, row, column
+        The muogram, and which of its pixels.
+    quantity
+        The one that is shown, told as well.
+    """
+
+    def told(name: str) -> str:
+        muogram = preview.muogram(name)
+        return with_unit(float(muogram.values[row, column]), muogram.kind)
+
+    flux, opacity = preview.muogram("flux"), preview.muogram("opacity").values[row, column]
     azimuth, elevation = float(flux.azimuth_deg[column]), float(flux.elevation_deg[row])
-    letters = compass_points(azimuth - _HALF_POINT_DEG, azimuth + _HALF_POINT_DEG)[0][1]
-    direction = tr("Azimuth {azimuth}° {letters}, elevation {elevation}°, zenith {zenith}°")
-
-    def value(muogram: Muogram) -> float:
-        return float(muogram.values[row, column])
-
-    opacity = preview.muogram("opacity")
-    if value(opacity) == 0:
-        rock = tr("Open sky")
-    elif np.isnan(value(opacity)):
-        rock = tr("Rock of unknown thickness")
-    else:
-        rock = tr("Rock {thickness}, opacity {opacity}").format(
-            thickness=metres(value(preview.muogram("thickness"))),
-            opacity=with_unit(value(opacity), opacity.kind),
-        )
-    lines = [
-        direction.format(
-            azimuth=_angle(azimuth % 360.0), letters=letters, elevation=_angle(elevation),
-            zenith=_angle(90.0 - elevation),
-        ),
+    thickness = metres(float(preview.muogram("thickness").values[row, column]))
+    rock = tr("Open sky") if opacity == 0 else tr("Rock {thickness}").format(thickness=thickness)
+    cells = [
+        tr("Azimuth {angle}°").format(angle=_angle(azimuth % 360.0)),
         rock,
-        tr("Flux {flux}").format(flux=with_unit(value(flux), flux.kind)),
-        tr("Exposure {exposure}").format(exposure=days(value(preview.muogram("exposure")))),
-    ]  # fmt: skip
-    return "\n".join(lines)
+        tr("Elevation {angle}°").format(angle=_angle(elevation)),
+        tr("Opacity {opacity}").format(opacity=told("opacity")),
+        tr("Zenith {angle}°").format(angle=_angle(90.0 - elevation)),
+        tr("Exposure {exposure}").format(
+            exposure=days(float(preview.muogram("exposure").values[row, column]))
+        ),
+    ]
+    lines = [tr("Flux {flux}").format(flux=told("flux"))]
+    if quantity in _FURTHER:
+        lines.append(f"{tr(QUANTITIES[quantity].title)} {told(quantity)}")
+    rows = [
+        # Angles stay on one line, and values have the rest of the width.
+        f"<td style='padding-right: 6px'>{left.replace(' ', NO_BREAK)}</td><td>{right}</td>"
+        for left, right in zip(cells[::2], cells[1::2])
+    ]
+    rows += [f"<td colspan='2'>{line}</td>" for line in lines]
+    # In HTML lines break at narrow spaces, even at those that must not.
+    table = "".join(f"<tr>{cell}</tr>" for cell in rows).replace("\u202f", NO_BREAK)
+    return f"<table width='100%' cellspacing='0'>{table}</table>"
 
 
 def describe_preview(preview: Preview) -> str:

@@ -12,7 +12,7 @@ from ..translation import tr
 _DIGITS = 3
 
 #: So that a value and its unit stay on one line: no-break space, and slash with a joiner.
-_NO_BREAK = "\u00a0"
+NO_BREAK = "\u00a0"
 _NO_BREAK_SLASH = "/\u2060"
 
 
@@ -25,19 +25,21 @@ def rounded(value: float) -> str:
 
 def metres(value: float) -> str:
     """Return a length in whole metres, “–” where it is unknown."""
-    return f"{bare_metres(value)}{_NO_BREAK}m" if np.isfinite(value) else "–"
+    return f"{bare_metres(value)}{NO_BREAK}m" if np.isfinite(value) else "–"
 
 
 def days(value: float) -> str:
     """Return a time in days to three digits, “–” where it is unknown."""
-    return tr("{number} days").format(number=rounded(value)) if np.isfinite(value) else "–"
+    if not np.isfinite(value):
+        return "–"
+    return tr("{number} days").format(number=rounded(value)).replace(" ", NO_BREAK)
 
 
 def with_unit(value: float, quantity: Quantity) -> str:
     """Return a value to three digits with the unit of its quantity."""
     if quantity.unit == "1" or not np.isfinite(value):
         return rounded(value)
-    return f"{rounded(value)} {quantity.unit}".replace(" ", _NO_BREAK).replace("/", _NO_BREAK_SLASH)
+    return f"{rounded(value)} {quantity.unit}".replace(" ", NO_BREAK).replace("/", _NO_BREAK_SLASH)
 
 
 def bare_metres(value: float) -> str:

@@ -73,13 +73,27 @@ def test_hovering_tells_the_values_of_a_pixel(planned, hand):
     said = planned.muogram.readout.text().replace("\u00a0", " ").replace("\u2060", "")
     azimuth, elevation = flux.azimuth_deg[column] % 360, flux.elevation_deg[row]
     assert f"Azimuth {azimuth:.1f}°" in said
-    assert f"elevation {elevation:.1f}°" in said
-    assert f"zenith {90 - elevation:.1f}°" in said
+    assert f"Elevation {elevation:.1f}°" in said
+    assert f"Zenith {90 - elevation:.1f}°" in said
     thickness = preview.muogram("thickness").values[row, column]
     assert f"Rock {thickness:.0f} m" in said
+    assert "Opacity" in said
     assert "g/cm²" in said
     assert "cm⁻² sr⁻¹ day⁻¹" in said
     assert f"{preview.muogram('exposure').values[row, column]:.3g} days" in said
+
+
+@pytest.mark.parametrize("name", ["transmission", "counts"])
+def test_the_quantity_that_is_shown_is_told_as_well(planned, hand, name):
+    quantity = planned.muogram.quantity
+    quantity.setCurrentIndex(quantity.findData(name))
+    row, column = through_rock(planned.planner.preview)
+    hand.hover(row, column)
+    last = planned.muogram.readout.text().split("<td")[-1]
+    assert quantity.currentText() in last
+    mantissa = last.rsplit(" ", 1)[-1].split("<")[0].split("·")[0]
+    value = planned.planner.preview.muogram(name).values[row, column]
+    assert f"{value:.2e}".startswith(f"{float(mantissa):.2e}"[:4])
 
 
 def test_hovering_draws_the_ray_as_far_as_it_is_in_rock(planned, hand, iface):
@@ -156,4 +170,5 @@ def test_the_wedge_follows_the_map_into_another_system(planned, iface, hand):
     after = planned.planner.items.field_of_view.boundingBox()
     assert before.width() > 1000
     assert after.width() < 1
-    assert after.contains(planned.planner.items.markers[0].center())
+    # The telescope is the wedge's corner, to the last digit.
+    assert after.buffered(1e-9).contains(planned.planner.items.markers[0].center())
