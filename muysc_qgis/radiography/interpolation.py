@@ -27,6 +27,37 @@ def hermite(
     return y0 + t * (rise + (1.0 - t) * (left + t * (right - left)))
 
 
+def spline_slopes(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Return the slopes at its knots of the cubic spline through points.
+
+    The second derivative is continuous at every inner knot, and the third at the second
+    and the last but one ("not a knot"): C. de Boor, A Practical Guide to Splines (2001),
+    chapter IV. Rock and muons shall not need scipy, which some QGIS come without.
+
+    Parameters
+    ----------
+    x, y
+        (n,) knots, x increasing, n at least 4.
+    """
+    width = np.diff(x)
+    secant = np.diff(y) / width
+    left, right = width[:-1], width[1:]
+    inner = np.arange(1, len(x) - 1)
+    system, known = np.zeros((len(x), len(x))), np.empty(len(x))
+    system[inner, inner - 1] = right
+    system[inner, inner] = 2.0 * (left + right)
+    system[inner, inner + 1] = left
+    known[inner] = 3.0 * (right * secant[:-1] + left * secant[1:])
+    # Both ends alike, seen from outside.
+    for end, step, near, far in ((0, 1, 0, 1), (-1, -1, -1, -2)):
+        both = width[near] + width[far]
+        system[end, end], system[end, end + step] = width[far], both
+        known[end] = (
+            (width[near] + 2.0 * both) * width[far] * secant[near] + width[near] ** 2 * secant[far]
+        ) / both
+    return np.linalg.solve(system, known)
+
+
 @dataclass(frozen=True)
 class HermiteCurve:
     """A smooth curve through knots with known slopes."""
@@ -40,10 +71,8 @@ class HermiteCurve:
 
     @classmethod
     def through(cls, x: np.ndarray, y: np.ndarray) -> HermiteCurve:
-        """Return the cubic spline through points."""
-        from scipy.interpolate import CubicSpline
-
-        return cls(x, y, CubicSpline(x, y).derivative()(x))
+        """Return the cubic spline through four or more points."""
+        return cls(x, y, spline_slopes(x, y))
 
     def __call__(self, x: np.ndarray) -> np.ndarray:
         """Return y at abscissas of any shape; NaN outside the knots."""
