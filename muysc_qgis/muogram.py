@@ -10,6 +10,7 @@ import numpy as np
 
 from . import __version__
 from .errors import MuyscError
+from .geotiff import raster_writer
 from .quantities import QUANTITIES, Quantity
 
 #: GDAL metadata domain of everything a later step needs to know.
@@ -177,6 +178,7 @@ def write_muogram(muogram: Muogram, path: str | Path) -> None:
     )
 
 
+@raster_writer
 def write_grid(
     grid: Grid, path: str | Path, names: tuple[str, str], lonely_step: float = 1.0
 ) -> None:
@@ -200,36 +202,32 @@ def write_grid(
     """
     from osgeo import gdal
 
-    gdal.UseExceptions()
     kind = QUANTITIES[grid.quantity]
     step_x = _step(grid.x, names[0]) if len(grid.x) > 1 else lonely_step
     step_y = _step(grid.y, names[1]) if len(grid.y) > 1 else -lonely_step
     rows, columns = grid.values.shape
-    try:
-        dataset = gdal.GetDriverByName("GTiff").Create(
-            str(path), columns, rows, 1, gdal.GDT_Float32,
-            ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "BIGTIFF=IF_SAFER"],
-        )  # fmt: skip
-        dataset.SetGeoTransform((
-            grid.x[0] - step_x / 2, step_x, 0.0, grid.y[0] - step_y / 2, 0.0, step_y,
-        ))  # fmt: skip
-        entries = {
-            "QUANTITY": grid.quantity,
-            "UNIT": kind.unit,
-            "VERSION": __version__,
-            **{key: as_text(value) for key, value in grid.metadata.items()},
-        }
-        dataset.SetMetadata(entries, DOMAIN)
-        band = dataset.GetRasterBand(1)
-        band.SetNoDataValue(float("nan"))
-        band.SetDescription(kind.label)
-        band.SetUnitType(kind.unit)
-        band.WriteArray(grid.values.astype(np.float32))
-        band.FlushCache()
-        dataset.FlushCache()
-        del band, dataset
-    except RuntimeError as error:
-        raise MuyscError(f"The raster {path} cannot be written: {error}.") from error
+    dataset = gdal.GetDriverByName("GTiff").Create(
+        str(path), columns, rows, 1, gdal.GDT_Float32,
+        ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "BIGTIFF=IF_SAFER"],
+    )  # fmt: skip
+    dataset.SetGeoTransform((
+        grid.x[0] - step_x / 2, step_x, 0.0, grid.y[0] - step_y / 2, 0.0, step_y,
+    ))  # fmt: skip
+    entries = {
+        "QUANTITY": grid.quantity,
+        "UNIT": kind.unit,
+        "VERSION": __version__,
+        **{key: as_text(value) for key, value in grid.metadata.items()},
+    }
+    dataset.SetMetadata(entries, DOMAIN)
+    band = dataset.GetRasterBand(1)
+    band.SetNoDataValue(float("nan"))
+    band.SetDescription(kind.label)
+    band.SetUnitType(kind.unit)
+    band.WriteArray(grid.values.astype(np.float32))
+    band.FlushCache()
+    dataset.FlushCache()
+    del band, dataset
 
 
 def as_text(value: str | float) -> str:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import os
+import shutil
+from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
 
@@ -11,6 +14,15 @@ from .errors import MuyscError
 #: Permission bits that let anyone write. Checked themselves, because the
 #: superuser may write everywhere and read-only is still meant.
 _WRITE_BITS = 0o222
+
+#: Length to which a name is shortened, so that the temporary one is not too long.
+_LONGEST_STEM = 40
+
+#: What databases keep beside their file while it is open; out of date once it is replaced.
+_COMPANIONS = ("-wal", "-shm", "-journal")
+
+#: Several runs of one process may write to one folder.
+_COUNTER = itertools.count(1)
 
 
 class Staging:
@@ -23,6 +35,8 @@ class Staging:
     def __init__(self) -> None:
         self._moves: list[tuple[Path, Path]] = []
         self._taken: set[Path] = set()
+        #: Folders of the layers, which may be several files each.
+        self._folders: list[Path] = []
 
     def __enter__(self) -> Staging:
         return self
@@ -35,6 +49,8 @@ class Staging:
     ) -> None:
         for temporary, _ in self._moves:
             temporary.unlink(missing_ok=True)
+        for folder in self._folders:
+            shutil.rmtree(folder, ignore_errors=True)
 
     def add(self, destination: str | Path, inputs: tuple[str, ...] = ()) -> Path:
         """Return the temporary path for a file that will stand at `destination`.
@@ -52,6 +68,37 @@ class Staging:
             If the destination is an input, taken by another output, or cannot be
             written.
         """
+        target = self._checked(destination, inputs)
+        temporary = _temporary(target, target.suffix)
+        self._moves.append((temporary, target))
+        return temporary
+
+    def add_layer(self, destination: str | Path) -> Path:
+        """Return the temporary path for a vector layer that will stand at `destination`.
+
+        It has the destination's own name, which some formats write into the file, and what
+        is written beside it goes along.
+
+        Raises
+        ------
+        MuyscError
+            If the destination is taken by another output or cannot be written.
+        """
+        target = self._checked(destination)
+        folder = _temporary(target, "")
+        try:
+            folder.mkdir()
+        except OSError as error:
+            raise MuyscError(
+                f"{target} cannot be written ({error.strerror}); choose another place."
+            ) from error
+        self._folders.append(folder)
+        temporary = folder / target.name
+        self._moves.append((temporary, target))
+        return temporary
+
+    def _checked(self, destination: str | Path, inputs: tuple[str, ...] = ()) -> Path:
+        """Return a destination that is free and can be written."""
         target = Path(destination).absolute()
         check_destination(target, inputs)
         if target in self._taken:
@@ -59,12 +106,22 @@ class Staging:
                 f"Two outputs go to {target}; give each output a file name of its own."
             )
         self._taken.add(target)
-        folder = target.parent
-        while not folder.is_dir():
-            folder = folder.parent
-        temporary = folder / f".{target.stem}.{os.getpid()}-partial{target.suffix}"
-        self._moves.append((temporary, target))
-        return temporary
+        return target
+
+    def by_destination(self, text: str) -> str:
+        """Return a text with destinations in place of their temporary names."""
+        for temporary, target in self._moves:
+            text = text.replace(str(temporary), str(target))
+        return text
+
+    def _written(self) -> Iterator[tuple[Path, Path]]:
+        """Yield every temporary file that was written, and where it goes."""
+        for temporary, target in self._moves:
+            if temporary.parent in self._folders:
+                for file in sorted(temporary.parent.iterdir()):
+                    yield file, target.parent / file.name
+            elif temporary.exists():
+                yield temporary, target
 
     def commit(self) -> None:
         """Move every file that was written to its destination.
@@ -74,12 +131,12 @@ class Staging:
         MuyscError
             If a file cannot be moved; those not moved yet are removed.
         """
-        for temporary, target in self._moves:
-            if not temporary.exists():
-                continue
+        for temporary, target in self._written():
             try:
                 target.parent.mkdir(parents=True, exist_ok=True)
                 temporary.replace(target)
+                for ending in _COMPANIONS:
+                    target.with_name(target.name + ending).unlink(missing_ok=True)
             except OSError as error:
                 raise MuyscError(
                     f"{target} cannot be written ({error.strerror}); close whatever holds it "
@@ -114,3 +171,12 @@ def check_destination(target: Path, inputs: tuple[str, ...] = ()) -> None:
                 f"{target} cannot be written because {place} is read-only; choose another place "
                 "or make it writable."
             )
+
+
+def _temporary(target: Path, suffix: str) -> Path:
+    """Return a path that no other run has, on the same disk as the destination."""
+    folder = target.parent
+    while not folder.is_dir():
+        folder = folder.parent
+    stem = target.stem[:_LONGEST_STEM]
+    return folder / f".{stem}.{os.getpid()}-{next(_COUNTER)}-partial{suffix}"

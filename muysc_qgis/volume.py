@@ -10,6 +10,7 @@ import numpy as np
 
 from . import __version__
 from .errors import MuyscError
+from .geotiff import raster_writer
 from .muogram import DOMAIN, as_text
 from .quantities import Quantity
 from .tomography.voxels import VoxelGrid
@@ -88,6 +89,7 @@ def band_name(height_m: float) -> str:
     return f"z = {height_m:.10g} m"
 
 
+@raster_writer
 def write_volume(volume: Volume, path: str | Path) -> None:
     """Write a volume as a self-describing GeoTIFF, one band for each elevation slice.
 
@@ -101,39 +103,35 @@ def write_volume(volume: Volume, path: str | Path) -> None:
     """
     from osgeo import gdal
 
-    gdal.UseExceptions()
     grid = volume.grid
     columns, rows, slices = grid.shape
-    try:
-        dataset = gdal.GetDriverByName("GTiff").Create(
-            str(path), columns, rows, slices, gdal.GDT_Float32,
-            ["COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND", "BIGTIFF=IF_SAFER"],
-        )  # fmt: skip
-        dataset.SetGeoTransform((
-            grid.origin_m[0], grid.size_m[0], 0.0, grid.end_m[1], 0.0, -grid.size_m[1],
-        ))  # fmt: skip
-        dataset.SetProjection(volume.crs)
-        entries = {
-            **{key: as_text(value) for key, value in volume.metadata.items()},
-            "QUANTITY": _PREFIX + volume.quantity,
-            "UNIT": volume.kind.unit,
-            "VERSION": __version__,
-            "BASE": as_text(grid.origin_m[2]),
-            "VOXEL_HEIGHT": as_text(grid.size_m[2]),
-        }
-        dataset.SetMetadata(entries, DOMAIN)
-        for level, height in enumerate(grid.centres_m(2)):
-            band = dataset.GetRasterBand(level + 1)
-            band.SetNoDataValue(float("nan"))
-            band.SetDescription(band_name(height))
-            band.SetUnitType(volume.kind.unit)
-            band.WriteArray(volume.values[:, ::-1, level].T.astype(np.float32))
-            band.FlushCache()
-            del band
-        dataset.FlushCache()
-        del dataset
-    except RuntimeError as error:
-        raise MuyscError(f"The raster {path} cannot be written: {error}.") from error
+    dataset = gdal.GetDriverByName("GTiff").Create(
+        str(path), columns, rows, slices, gdal.GDT_Float32,
+        ["COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND", "BIGTIFF=IF_SAFER"],
+    )  # fmt: skip
+    dataset.SetGeoTransform((
+        grid.origin_m[0], grid.size_m[0], 0.0, grid.end_m[1], 0.0, -grid.size_m[1],
+    ))  # fmt: skip
+    dataset.SetProjection(volume.crs)
+    entries = {
+        **{key: as_text(value) for key, value in volume.metadata.items()},
+        "QUANTITY": _PREFIX + volume.quantity,
+        "UNIT": volume.kind.unit,
+        "VERSION": __version__,
+        "BASE": as_text(grid.origin_m[2]),
+        "VOXEL_HEIGHT": as_text(grid.size_m[2]),
+    }
+    dataset.SetMetadata(entries, DOMAIN)
+    for level, height in enumerate(grid.centres_m(2)):
+        band = dataset.GetRasterBand(level + 1)
+        band.SetNoDataValue(float("nan"))
+        band.SetDescription(band_name(height))
+        band.SetUnitType(volume.kind.unit)
+        band.WriteArray(volume.values[:, ::-1, level].T.astype(np.float32))
+        band.FlushCache()
+        del band
+    dataset.FlushCache()
+    del dataset
 
 
 def read_volume(path: str | Path) -> Volume:

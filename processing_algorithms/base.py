@@ -137,14 +137,19 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         feedback: QgsProcessingFeedback,
     ) -> dict[str, Any]:
         self._warn_of_undeclared(parameters, feedback)
+        staging = Staging()
         try:
-            with Staging() as staging:
+            with staging:
                 inputs = self.read(parameters, context)
                 self._check_destinations(parameters)
                 results = self.compute(inputs, parameters, context, feedback, staging)
                 staging.commit()
         except MuyscError as error:
-            raise QgsProcessingException(str(error)) from error
+            raise QgsProcessingException(staging.by_destination(str(error))) from error
+        except OSError as error:
+            raise QgsProcessingException(
+                staging.by_destination(_trouble_with_files(error))
+            ) from error
         except Cancelled:
             raise QgsProcessingException("Cancelled; nothing was written.") from None
         except ImportError as error:
@@ -209,6 +214,14 @@ def missing_library(error: ImportError) -> str:
     return (
         f"The Python library {library} is missing; install it for the Python of QGIS "
         f"(python3-{library} on Debian and in the OSGeo4W setup on Windows)."
+    )
+
+
+def _trouble_with_files(error: OSError) -> str:
+    """Return what a disk or a network share did not do."""
+    return (
+        f"{error.filename or 'A file'} cannot be read or written ({error.strerror or error}); make "
+        "room on the disk, or choose another place."
     )
 
 

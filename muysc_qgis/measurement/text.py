@@ -123,6 +123,8 @@ def _lines(path: Path) -> list[str]:
         raise MuyscError(
             f"The file {path} cannot be read ({error.strerror}); choose a text file."
         ) from error
+    except ValueError as error:
+        raise MuyscError(f"“{path}” is no file name ({error}); choose a text file.") from error
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         return content.decode("utf-16", errors="replace").splitlines()
     if _BINARY in content:

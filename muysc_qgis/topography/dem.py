@@ -84,9 +84,12 @@ class Dem:
             # Longitudes count from the raster's middle, so that neither the
             # antimeridian nor 0…360 longitudes break a path.
             middle = (step_x * self.columns + skew_x * self.rows) / 2
-            dx = middle + (dx - middle + self._turn / 2) % self._turn - self._turn / 2
-        column = (step_y * dx - skew_x * dy) / determinant - 0.5
-        row = (step_x * dy - skew_y * dx) / determinant - 0.5
+            with np.errstate(invalid="ignore"):
+                dx = middle + (dx - middle + self._turn / 2) % self._turn - self._turn / 2
+        # What has no place in the CRS comes as infinity and has none here, NaN.
+        with np.errstate(invalid="ignore"):
+            column = (step_y * dx - skew_x * dy) / determinant - 0.5
+            row = (step_x * dy - skew_y * dx) / determinant - 0.5
         return column, row
 
     def crs_position(

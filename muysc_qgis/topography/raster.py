@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from .. import __version__
-from ..errors import MuyscError
+from ..geotiff import raster_writer
 from ..muogram import DOMAIN, as_text
 from ..quantities import Quantity
 from .drape import DrapedBlock
@@ -38,6 +38,7 @@ class OnMap(Protocol):
         """Coordinate reference system."""
 
 
+@raster_writer
 def write_on_grid(
     path: str | Path,
     grid: OnMap,
@@ -73,30 +74,26 @@ def write_on_grid(
     """
     from osgeo import gdal
 
-    gdal.UseExceptions()
     known = 0
-    try:
-        dataset = gdal.GetDriverByName("GTiff").Create(
-            str(path), grid.columns, grid.rows, 1, gdal.GDT_Float32,
-            ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "SPARSE_OK=TRUE", "BIGTIFF=IF_SAFER"],
-        )  # fmt: skip
-        dataset.SetGeoTransform(grid.geotransform)
-        dataset.SetProjection(grid.crs.to_wkt())
-        entries = {"QUANTITY": name, "UNIT": quantity.unit}
-        dataset.SetMetadata(
-            {**{key: as_text(value) for key, value in metadata.items()}, **entries,
-             "VERSION": __version__},
-            DOMAIN,
-        )  # fmt: skip
-        band = dataset.GetRasterBand(1)
-        band.SetNoDataValue(float("nan"))
-        band.SetDescription(quantity.label)
-        band.SetUnitType(quantity.unit)
-        for block in blocks:
-            band.WriteArray(block.values.astype(np.float32), 0, block.first_row)
-            known += int(np.count_nonzero(np.isfinite(block.values)))
-        dataset.FlushCache()
-        del band, dataset
-    except RuntimeError as error:
-        raise MuyscError(f"The raster {path} cannot be written: {error}.") from error
+    dataset = gdal.GetDriverByName("GTiff").Create(
+        str(path), grid.columns, grid.rows, 1, gdal.GDT_Float32,
+        ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "SPARSE_OK=TRUE", "BIGTIFF=IF_SAFER"],
+    )  # fmt: skip
+    dataset.SetGeoTransform(grid.geotransform)
+    dataset.SetProjection(grid.crs.to_wkt())
+    entries = {"QUANTITY": name, "UNIT": quantity.unit}
+    dataset.SetMetadata(
+        {**{key: as_text(value) for key, value in metadata.items()}, **entries,
+         "VERSION": __version__},
+        DOMAIN,
+    )  # fmt: skip
+    band = dataset.GetRasterBand(1)
+    band.SetNoDataValue(float("nan"))
+    band.SetDescription(quantity.label)
+    band.SetUnitType(quantity.unit)
+    for block in blocks:
+        band.WriteArray(block.values.astype(np.float32), 0, block.first_row)
+        known += int(np.count_nonzero(np.isfinite(block.values)))
+    dataset.FlushCache()
+    del band, dataset
     return known

@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import __version__
 from ..errors import Cancelled, MuyscError
+from ..geotiff import raster_writer
 from ..progress import Progress, report, silent
 from .srtm import Extent, Source, Tile, public_part
 from .srtm_tiles import VOID, TileHeights
@@ -194,6 +195,7 @@ def fill_voids(mosaic: Mosaic, distance_cells: int, progress: Progress = silent)
     return replace(filled, filled_cells=before - filled.void_cells)
 
 
+@raster_writer
 def write_dem(
     path: str | Path, mosaic: Mosaic, source: Source, progress: Progress = silent
 ) -> None:
@@ -208,38 +210,34 @@ def write_dem(
     """
     from osgeo import gdal, osr
 
-    gdal.UseExceptions()
     rows, columns = mosaic.heights.shape
     predictor = 2 if mosaic.heights.dtype == np.int16 else 3
     crs = osr.SpatialReference()
     crs.ImportFromEPSG(4326)
-    try:
-        dataset = gdal.GetDriverByName("GTiff").Create(
-            str(path), columns, rows, 1, _gdal_type(mosaic),
-            ["COMPRESS=DEFLATE", f"PREDICTOR={predictor}", "TILED=YES", "BIGTIFF=IF_SAFER",
-             "NUM_THREADS=ALL_CPUS"],
-        )  # fmt: skip
-        dataset.SetGeoTransform(mosaic.grid.geotransform)
-        dataset.SetProjection(crs.ExportToWkt())
-        dataset.SetMetadata(
-            {
-                "SOURCE": public_part(source.template),
-                "HEIGHT_DATUM": source.height_datum,
-                "ATTRIBUTION": source.attribution,
-                "SOFTWARE": f"MUYSC {__version__}",
-            }
-        )
-        band = dataset.GetRasterBand(1)
-        band.SetNoDataValue(VOID)
-        band.SetDescription("Elevation (m)")
-        band.SetUnitType("m")
-        for row in range(0, rows, _ROWS_AT_ONCE):
-            report(progress, row / rows)
-            band.WriteArray(mosaic.heights[row : row + _ROWS_AT_ONCE], 0, row)
-        dataset.FlushCache()
-        del band, dataset
-    except RuntimeError as error:
-        raise MuyscError(f"The raster {path} cannot be written: {error}.") from error
+    dataset = gdal.GetDriverByName("GTiff").Create(
+        str(path), columns, rows, 1, _gdal_type(mosaic),
+        ["COMPRESS=DEFLATE", f"PREDICTOR={predictor}", "TILED=YES", "BIGTIFF=IF_SAFER",
+         "NUM_THREADS=ALL_CPUS"],
+    )  # fmt: skip
+    dataset.SetGeoTransform(mosaic.grid.geotransform)
+    dataset.SetProjection(crs.ExportToWkt())
+    dataset.SetMetadata(
+        {
+            "SOURCE": public_part(source.template),
+            "HEIGHT_DATUM": source.height_datum,
+            "ATTRIBUTION": source.attribution,
+            "SOFTWARE": f"MUYSC {__version__}",
+        }
+    )
+    band = dataset.GetRasterBand(1)
+    band.SetNoDataValue(VOID)
+    band.SetDescription("Elevation (m)")
+    band.SetUnitType("m")
+    for row in range(0, rows, _ROWS_AT_ONCE):
+        report(progress, row / rows)
+        band.WriteArray(mosaic.heights[row : row + _ROWS_AT_ONCE], 0, row)
+    dataset.FlushCache()
+    del band, dataset
 
 
 def _gdal_type(mosaic: Mosaic) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import (
+    QgsMapLayer,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingParameterDefinition,
@@ -100,5 +101,5 @@ def read_view_layers(
     asked = value if isinstance(value, list) else [value]
     if len(paths) < len(asked):
         # Opening them again will tell why QGIS could not.
-        paths = [one if isinstance(one, str) else one.source() for one in asked]
+        paths = [one.source() if isinstance(one, QgsMapLayer) else str(one) for one in asked]
     return [(read_view(path), path) for path in paths]

@@ -36,7 +36,7 @@ _COMMON = {"errors", "progress", "quantities", "__version__"}
 NEIGHBOURS = {
     "muysc_qgis/radiography": _COMMON | {"radiography"},
     "muysc_qgis/telescope": _COMMON | {"telescope", "radiography"},
-    "muysc_qgis/topography": _COMMON | {"topography", "radiography", "muogram"},
+    "muysc_qgis/topography": _COMMON | {"topography", "radiography", "muogram", "geotiff"},
     "muysc_qgis/survey": _COMMON | {"survey", "topography"},
     "muysc_qgis/measurement": _COMMON | {"measurement", "radiography", "muogram"},
     "muysc_qgis/tomography": _COMMON | {"tomography"},
