@@ -109,7 +109,7 @@ def reconstruct_known_model(
     physics, campaign
         How muons are stopped and counted; the density is the model's.
     choices
-        How densities are found. Without a reference density it is that of the model's rock.
+        How densities are found.
     progress
         Told the share done.
 
@@ -154,8 +154,6 @@ def find_known_model(
         lines, opacity, stations, aperture, physics, campaign, choices,
         part(progress, 0.0, _COUNTED),
     )  # fmt: skip
-    if choices.reference_density is None:
-        choices = replace(choices, reference_density=model.density)
     found = reconstruct_volume(seen, choices, part(progress, _COUNTED, 1.0))
     values = found.density.values
     known = np.isfinite(values) & np.isfinite(truth)
