@@ -192,7 +192,7 @@ def _say(feedback: QgsProcessingFeedback, result: Tomography, warnings: tuple[st
         feedback.pushInfo(f"  not used because {cause}: {count} rays")
     found = result.reconstruction
     feedback.pushInfo(
-        f"{result.method}: {found.iterations_done} iterations, ended by {found.stopped_by}; "
+        f"{result.method}: {found.iterations_done} iterations (end: {found.stopped_by}); "
         f"{100 * result.relative_residual:.3g} % of the opacity in the volume is left unexplained."
     )
     for warning in (*warnings, *result.warnings):

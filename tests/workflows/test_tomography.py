@@ -153,6 +153,7 @@ def test_a_light_conduit_is_found_where_it_is(lines, method):
     lightest = np.unravel_index(np.nanargmin(result.density.values), grid.shape)
     assert share[lightest] > 0.5
     assert 0.3 < result.chi_squared < 1.3
+    assert result.deviation is None  # not asked for
 
 
 def test_air_and_unseen_voxels_are_unknown_and_all_is_counted(dem, simulations):
