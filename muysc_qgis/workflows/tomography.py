@@ -203,9 +203,13 @@ def reconstruct_volume(
             f"One density of {reference:.4g} g/cm³ explains the data within their errors, so that "
             f"{choices.method} had nothing to do; give smaller errors if they are known."
         )
-    return result_of(
-        lines, choices.method, system, found, reference, known.lost, (*warnings, *more)
-    )
+    if choices.method == "bayes" and found.stopped_by == "iterations":
+        warnings.append(
+            f"bayes did not settle within {found.iterations_done} iterations, so that the "
+            "densities are smoother than data and prior say; give more iterations."
+        )
+    warnings += more
+    return result_of(lines, choices.method, system, found, reference, known.lost, warnings)
 
 
 def _check_voxels(grid: VoxelGrid, memory_bytes: int, method: str = "") -> None:

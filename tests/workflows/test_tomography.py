@@ -211,6 +211,13 @@ def test_one_station_is_warned_of(dem, simulations):
     assert any("one station only" in warning for warning in result.warnings)
 
 
+def test_too_few_iterations_are_told(lines):
+    opacity = 250.0 * lines.thickness_m * (1 + 0.1 * np.sin(np.arange(len(lines.thickness_m))))
+    choices = TomographyChoices("bayes", Options(iterations=2, deviation=False))
+    result = reconstruct_volume(filled(lines, opacity, 0.01), choices)
+    assert any("did not settle within 2 iterations" in text for text in result.warnings)
+
+
 def test_muograms_of_another_terrain_are_warned_of(dem, simulations):
     (one,) = views(simulations, "thickness")[:1]
     high = one.view.number("DETECTOR_ELEVATION") + 60
