@@ -101,9 +101,9 @@ class PlanningDock(QgsDockWidget):
     def _content(self) -> QWidget:
         actions = QHBoxLayout()
         # By the lengths of their texts, and narrower than these where there is no room.
-        for button, share in ((self.run, 1), (self.copy, 2)):
+        for button in (self.run, self.copy):
             button.setMinimumWidth(_NARROWEST)
-            actions.addWidget(button, share)
+            actions.addWidget(button, button.sizeHint().width())
         content = QWidget()
         layout = QVBoxLayout(content)
         layout.setContentsMargins(4, 4, 4, 4)

@@ -9,6 +9,7 @@ from qgis.PyQt.QtCore import QLineF, QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import (
     QColor,
     QFont,
+    QFontInfo,
     QFontMetricsF,
     QImage,
     QPainter,
@@ -73,6 +74,8 @@ class Scene:
 class Layout:
     """Where the parts of a picture stand."""
 
+    #: All that may be painted on.
+    room: QRectF
     #: The pixels.
     frame: QRectF
     #: The colour scale.
@@ -100,7 +103,9 @@ class Layout:
             frame.setWidth(width)
         frame.setHeight(max(height, 1.0))
         below = frame.bottom() + line * (2 + _TICK + 2 * _GAP)
-        return cls(frame, QRectF(frame.left(), below, frame.width(), line * _BAR), scene.limits_deg)
+        return cls(
+            room, frame, QRectF(frame.left(), below, frame.width(), line * _BAR), scene.limits_deg
+        )
 
     def point(self, azimuth_deg: float, elevation_deg: float) -> QPointF:
         """Return where a direction stands."""
@@ -258,8 +263,11 @@ def _paint_scale(painter: QPainter, layout: Layout, scene: Scene) -> None:
         painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
         _centred(painter, label, _inside(painter, layout, label, foot.x()), foot.y() + line * _TICK)
     name = quantity_label(quantity)
+    painter.save()
+    _shrink(painter, name, layout.room.width())
     middle = _inside(painter, layout, name, bar.center().x())
     _centred(painter, name, middle, bar.bottom() + line * (1 + _TICK))
+    painter.restore()
     _paint_key(painter, QPointF(bar.center().x(), bar.bottom() + line * (2 + 2 * _TICK)), scene)
 
 
@@ -293,11 +301,19 @@ def quantity_label(quantity: Quantity) -> str:
     return title if quantity.unit == "1" else f"{title} ({quantity.unit})"
 
 
+def _shrink(painter: QPainter, text: str, width: float) -> None:
+    """Take smaller letters for a text that would be too wide."""
+    excess = QFontMetricsF(painter.font()).horizontalAdvance(text) / width
+    if excess > 1:
+        font = QFont(painter.font())
+        font.setPixelSize(max(1, int(QFontInfo(font).pixelSize() / excess)))
+        painter.setFont(font)
+
+
 def _inside(painter: QPainter, layout: Layout, text: str, middle: float) -> float:
-    """Return the middle of a text that must not reach out of the room on the right."""
-    metrics = QFontMetricsF(painter.font())
-    most = layout.frame.right() + metrics.horizontalAdvance(_MARGIN)
-    return min(middle, most - metrics.horizontalAdvance(text) / 2)
+    """Return the middle of a text that must not reach out of the room."""
+    half = QFontMetricsF(painter.font()).horizontalAdvance(text) / 2
+    return max(layout.room.left() + half, min(middle, layout.room.right() - half))
 
 
 def _centred(painter: QPainter, text: str, middle: float, top: float) -> None:

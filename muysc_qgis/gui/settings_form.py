@@ -55,7 +55,13 @@ class SettingsForm(QWidget):
         self.dem.setToolTip(tr("Raster of terrain heights that holds detector, target and rock"))
         _narrow(self.dem)
         self.pick_detector = _pick_button(tr("Pick detector"), "detector")
+        self.pick_detector.setToolTip(
+            tr("Click on the map where the telescope stands, or drag its marker")
+        )
         self.pick_target = _pick_button(tr("Pick target"), "target")
+        self.pick_target.setToolTip(
+            tr("Click on the map what the telescope points at, or drag its marker")
+        )
         self.detector_height = _number(-_HIGHEST_M, _HIGHEST_M, 1, " m")
         self.detector_height.setToolTip(tr("Height of the detector above ground, negative below"))
         self.target_height = _number(-_HIGHEST_M, _HIGHEST_M, 1, " m")
