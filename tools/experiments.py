@@ -2,7 +2,8 @@
 
 (a) The shape of Cerro Machín without knowing its terrain, as in the paper. (b) A conduit in
 Vesuvius, and no conduit, with the noise of 100 days. Numbers are printed beside the targets, and
-pictures go into build/experiments, that of the conduit into docs too. Takes about half an hour; ``--quick`` does less of all.
+pictures go into build/experiments, that of the conduit into docs too. Takes about half an hour;
+``--quick`` does less of all.
 """
 
 from __future__ import annotations

@@ -112,6 +112,15 @@ def test_without_noise_a_uniform_mountain_is_found_as_it_is(run, small):
     assert np.isnan(results["MUONS_COUNTED"])
 
 
+def test_the_shape_is_found_without_the_terrain(run, small):
+    """As the paper does it: every voxel is unknown, and the data are exact."""
+    exact = {"MODEL": "uniform", "NOISE": False, "RELATIVE_ERROR": 0, "LENGTH_ERROR": 0}
+    options = {"TERRAIN_MASK": False, "METHOD": "sirt", "HIGHEST_DENSITY": 2.65}
+    results = run("reconstructiontest", {**small, **exact, **options})
+    assert results["ITERATIONS_DONE"] == 50
+    assert results["TOP_ERROR"] < 0.15
+
+
 @pytest.mark.parametrize("model", ["sphere", "checkerboard"])
 def test_every_model_runs(run, small, model):
     sizes = {"BODY_RADIUS": 200, "BODY_EDGE": 300}
