@@ -11,7 +11,6 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeedback,
     QgsProcessingOutputDefinition,
-    QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFolderDestination,
 )
@@ -23,6 +22,7 @@ from ..muysc_qgis.progress import Progress
 from ..muysc_qgis.staging import Staging, check_destination
 from ..muysc_qgis.translation import tr
 from .language import translated
+from .outputs.layers import file_of
 
 ROOT = Path(__file__).resolve().parent.parent
 HELP_FOLDER = Path(__file__).parent / "help"
@@ -165,14 +165,9 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         for definition in self.parameterDefinitions():
             if isinstance(definition, QgsProcessingParameterFolderDestination):
                 continue  # the files in it are checked when they are staged
-            value = parameters.get(definition.name())
-            if isinstance(value, QgsProcessingOutputLayerDefinition):
-                value = value.sink.staticValue()
-            if definition.isDestination() and isinstance(value, str):
-                path = Path(value)
-                # Other values name databases, memory layers or temporary files.
-                if path.is_absolute() or path.suffix:
-                    check_destination(path.absolute())
+            path = file_of(parameters.get(definition.name()))
+            if definition.isDestination() and path is not None:
+                check_destination(path)
 
     def _warn_of_undeclared(
         self, parameters: dict[str, Any], feedback: QgsProcessingFeedback

@@ -167,8 +167,9 @@ class Radiography(MuyscAlgorithm):
             inputs.aperture,
         )
         feedback.setProgress(95)
+        crs = inputs.layer.crs()
         results |= write_footprint(
-            self, simulation, sight, inputs.aperture, inputs.layer.crs(), parameters, context
+            self, simulation, sight, inputs.aperture, crs, parameters, context, staging
         )
         return results | _numbers(simulation, sight)
 

@@ -176,7 +176,8 @@ class RadiographyAtSites(MuyscAlgorithm):
             said += [(station.site.name, warning) for warning in simulation.warnings]
         for text in gathered(said):
             feedback.pushWarning(text)
-        index = write_index(self, summaries, quantities, inputs.layer.crs(), parameters, context)
+        crs = inputs.layer.crs()
+        index = write_index(self, summaries, quantities, crs, parameters, context, staging)
         return {FOLDER: str(folder), **index, **_numbers(inputs, summaries)}
 
 

@@ -177,9 +177,9 @@ class ReconstructionTest(MuyscAlgorithm):
             )
 
         results |= stage_drawn(self, panel, report, results, *files, feedback, *staged)
-        results |= write_voxels(self, found.tomography, *files)
+        results |= write_voxels(self, found.tomography, *files, staging)
         crs = inputs.layer.crs()
-        results |= write_stations(self, inputs.stations, found, crs, *files)
+        results |= write_stations(self, inputs.stations, found, crs, *files, staging)
         return results | values
 
 

@@ -192,7 +192,7 @@ class SiteSelection(MuyscAlgorithm):
             lambda *told: _drawing().report(selection, inputs.plan, *told),
             results, parameters, context, feedback, staging, files,
         )  # fmt: skip
-        results |= write_sites(self, selection, inputs.plan, parameters, context)
+        results |= write_sites(self, selection, inputs.plan, parameters, context, staging)
         return results | _numbers(selection)
 
     def postProcessAlgorithm(

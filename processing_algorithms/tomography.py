@@ -158,7 +158,7 @@ class TomographyAlgorithm(MuyscAlgorithm):
             )
 
         results |= stage_drawn(self, panel, report, results, *files, feedback, *staged)
-        results |= write_voxels(self, result, *files)
+        results |= write_voxels(self, result, *files, staging)
         return results | _numbers(result)
 
 

@@ -8,7 +8,6 @@ import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsFeature,
-    QgsFeatureSink,
     QgsFields,
     QgsGeometry,
     QgsPointXY,
@@ -18,13 +17,14 @@ from qgis.core import (
     QgsProcessingParameterFeatureSink,
 )
 
-from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.radiography.aperture import Aperture
+from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.topography.footprint import Outline
 from ...muysc_qgis.topography.sight import Sight
 from ...muysc_qgis.workflows.simulation import Simulation, outlines
 from ..compat import POLYGON, VECTOR_POLYGON, field
 from ..parameters.values import explained
+from .layers import write_layer
 from .styles import FootprintOnLoad
 
 NAME = "FIELD_OF_VIEW"
@@ -47,13 +47,14 @@ def write_footprint(
     crs: QgsCoordinateReferenceSystem,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    staging: Staging,
 ) -> dict[str, str]:
-    """Write the polygons; called last, because a sink cannot be staged.
+    """Write the polygons; called last, see `write_layer`.
 
     Raises
     ------
     MuyscError
-        If the sink cannot be made.
+        If the layer cannot be written.
     """
     if parameters.get(NAME) is None:
         return {}
@@ -64,14 +65,13 @@ def write_footprint(
         ("distance_from_m", float), ("distance_to_m", float),
     ):  # fmt: skip
         fields.append(field(name, kind))
-    sink, identifier = algorithm.parameterAsSink(parameters, NAME, context, fields, POLYGON, crs)
-    if sink is None:
-        raise MuyscError(f"{NAME} cannot be written to “{parameters[NAME]}”; choose another place.")
     half = aperture.elevation_width_deg / 2
     elevations = (sight.boresight_elevation_deg - half, sight.boresight_elevation_deg + half)
     sector, seen = outlines(simulation, sight, aperture)
+    features = []
     for part, outline in (("aperture", sector), *(("ground seen", one) for one in seen)):
         feature = QgsFeature(fields)
+        features.append(feature)
         feature.setGeometry(_polygon(outline, sight))
         positive = outline.distance_m[outline.distance_m > 0]
         feature.setAttributes(
@@ -84,7 +84,8 @@ def write_footprint(
                 float(outline.distance_m.max()),
             ]
         )
-        sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
+    write = (features, parameters, context, staging)
+    identifier = write_layer(algorithm, NAME, fields, POLYGON, crs, *write)
     if context.willLoadLayerOnCompletion(identifier):
         context.layerToLoadOnCompletionDetails(identifier).setPostProcessor(FootprintOnLoad())
     return {NAME: identifier}

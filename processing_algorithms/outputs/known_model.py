@@ -135,13 +135,14 @@ def write_stations(
     crs: QgsCoordinateReferenceSystem,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    staging: Staging,
 ) -> dict[str, str]:
-    """Write the stations as points; called last, because a sink cannot be staged.
+    """Write the stations as points; called last, see `write_layer`.
 
     Raises
     ------
     MuyscError
-        If the sink cannot be made.
+        If the layer cannot be written.
     """
     kinds = {
         "site": str, "detector_elevation_m": float, "distance_m": float, "azimuth_deg": float,
@@ -162,4 +163,4 @@ def write_stations(
         )
         for station, residual in zip(stations, found.tomography.residuals)
     ]
-    return write_points(algorithm, STATIONS, kinds, points, crs, parameters, context)
+    return write_points(algorithm, STATIONS, kinds, points, crs, parameters, context, staging)

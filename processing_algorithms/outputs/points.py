@@ -10,7 +10,6 @@ from typing import Any
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsFeature,
-    QgsFeatureSink,
     QgsFields,
     QgsGeometry,
     QgsPoint,
@@ -18,8 +17,9 @@ from qgis.core import (
     QgsProcessingContext,
 )
 
-from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.staging import Staging
 from ..compat import POINT, POINT_Z, field
+from .layers import write_layer
 
 
 @dataclass(frozen=True)
@@ -39,13 +39,14 @@ def write_points(
     crs: QgsCoordinateReferenceSystem,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    staging: Staging,
     has_heights: bool = False,
 ) -> dict[str, str]:
-    """Write a layer if it is wanted; called last, because a sink cannot be staged.
+    """Write a layer if it is wanted; called last, see `write_layer`.
 
     Parameters
     ----------
-    algorithm, parameters, context
+    algorithm, parameters, context, staging
         Of the run.
     output
         Name of the sink.
@@ -66,25 +67,24 @@ def write_points(
     Raises
     ------
     MuyscError
-        If the sink cannot be made.
+        If the layer cannot be written.
     """
     if parameters.get(output) is None:
         return {}
     fields = QgsFields()
-    for name, kind in kinds.items():
-        fields.append(field(name, kind))
+    for name, type_ in kinds.items():
+        fields.append(field(name, type_))
     kind = POINT_Z if has_heights else POINT
-    sink, identifier = algorithm.parameterAsSink(parameters, output, context, fields, kind, crs)
-    if sink is None:
-        raise MuyscError(
-            f"{output} cannot be written to “{parameters[output]}”; choose another place."
-        )
-    for point in points:
-        feature = QgsFeature(fields)
-        feature.setGeometry(QgsGeometry(QgsPoint(*point.position)))
-        feature.setAttributes([_known(value) for value in point.values])
-        sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
-    return {output: identifier}
+    features = (_feature(point, fields) for point in points)
+    write = (features, parameters, context, staging)
+    return {output: write_layer(algorithm, output, fields, kind, crs, *write)}
+
+
+def _feature(point: Point, fields: QgsFields) -> QgsFeature:
+    feature = QgsFeature(fields)
+    feature.setGeometry(QgsGeometry(QgsPoint(*point.position)))
+    feature.setAttributes([_known(value) for value in point.values])
+    return feature
 
 
 def _known(value: Any) -> Any:

@@ -131,13 +131,14 @@ def write_index(
     crs: QgsCoordinateReferenceSystem,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    staging: Staging,
 ) -> dict[str, str]:
-    """Write the index; called last, because a sink cannot be staged.
+    """Write the index; called last, see `write_layer`.
 
     Raises
     ------
     MuyscError
-        If the sink cannot be made.
+        If the layer cannot be written.
     """
     kinds = {**dict.fromkeys(("site", *quantities), str), **_NUMBERS}
     points = [
@@ -151,4 +152,4 @@ def write_index(
         )
         for summary in summaries
     ]
-    return write_points(algorithm, INDEX, kinds, points, crs, parameters, context)
+    return write_points(algorithm, INDEX, kinds, points, crs, parameters, context, staging)

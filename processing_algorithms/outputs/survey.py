@@ -132,6 +132,7 @@ def write_sites(
     plan: SurveyPlan,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    staging: Staging,
 ) -> dict[str, str]:
     """Write the layers of sites that are wanted; called last, see `write_points`."""
     grid = selection.candidates.grid
@@ -165,7 +166,7 @@ def write_sites(
     together = points(
         "telescope", selection.telescopes, [(float(mean),) for mean in selection.coverage]
     )
-    write = (crs, parameters, context)
+    write = (crs, parameters, context, staging)
     return {
         **write_points(algorithm, BEST_SITES, kinds, best, *write),
         **write_points(algorithm, TELESCOPE_SITES, {**kinds, "coverage": float}, together, *write),

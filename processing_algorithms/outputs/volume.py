@@ -36,7 +36,8 @@ _RASTERS = (
     ),
 )  # fmt: skip
 
-_ALWAYS = ("DENSITY", "COVERAGE")
+#: Made unless the user says no; the others the other way round.
+_BY_DEFAULT = ("DENSITY", "COVERAGE")
 
 #: Columns of the table of residuals, with their units.
 _COLUMNS = (
@@ -51,8 +52,8 @@ def volume_outputs() -> list[QgsProcessingParameterDefinition]:
         *(
             explained(
                 QgsProcessingParameterRasterDestination(
-                    output, VOLUME_QUANTITIES[quantity].label, None, output not in _ALWAYS,
-                    output in _ALWAYS,
+                    output, VOLUME_QUANTITIES[quantity].label, None, output != "DENSITY",
+                    output in _BY_DEFAULT,
                 ),
                 f"{text} A GeoTIFF on the map with a band for each elevation slice, the lowest "
                 "first.",
@@ -131,13 +132,14 @@ def write_voxels(
     result: Tomography,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    staging: Staging,
 ) -> dict[str, str]:
-    """Write the voxels as points; called last, because a sink cannot be staged.
+    """Write the voxels as points; called last, see `write_layer`.
 
     Raises
     ------
     MuyscError
-        If the sink cannot be made.
+        If the layer cannot be written.
     """
     known = result.density.known.ravel()
     kinds = {"density": float, "rays": int}
@@ -152,5 +154,5 @@ def write_voxels(
     )
     crs = QgsCoordinateReferenceSystem.fromWkt(result.density.crs)
     return write_points(
-        algorithm, POINTS, kinds, points, crs, parameters, context, has_heights=True
+        algorithm, POINTS, kinds, points, crs, parameters, context, staging, has_heights=True
     )
