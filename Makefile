@@ -38,8 +38,9 @@ bench: .venv/ready ## Measure time and memory, side by side with other codes
 	@for script in $(filter-out benchmarks/measure.py,$(wildcard benchmarks/*.py)); do \
 		PYTHONPATH="$(CURDIR)" $(VENV_PYTHON) "$$script" || exit; done
 
-reference: packages ## Write docs/algorithms.md from what the algorithms declare
+reference: packages ## Write docs/algorithms.md and docs/reference from what the algorithms declare
 	@$(PYTHON) tools/make_reference.py
+	@$(PYTHON) tools/reference_pages.py
 
 models: packages ## Write the models that come with the provider
 	@$(PYTHON) tools/make_models.py
@@ -55,6 +56,9 @@ validation: .venv/ready ## Compare our numbers with others', into build/validati
 
 experiments: .venv/ready ## Reconstruct known mountains beside the paper's figures (ARGS=--quick)
 	@$(VENV_PYTHON) -m tools.experiments $(ARGS)
+
+matrix: ## Run the tests on QGIS 3.22, 3.40 and 3.44 (ARGS="--only sid", or for pytest)
+	@$(PYTHON) tools/matrix.py $(ARGS)
 
 package: ## Pack the last commit as a zip that QGIS installs, into build
 	@tools/package

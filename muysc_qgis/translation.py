@@ -20,6 +20,11 @@ def tr(text: str) -> str:
     return str(QCoreApplication.translate(CONTEXT, text)) if text else ""
 
 
+def language() -> str:
+    """Return the language of QGIS in two letters: the user's choice, or that of the system."""
+    return str(QgsApplication.instance().locale())[:2]
+
+
 def install_translator(folder: Path = FOLDER) -> QTranslator | None:
     """Install the translation into the user's language.
 

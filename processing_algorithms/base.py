@@ -20,7 +20,7 @@ from qgis.PyQt.QtGui import QIcon
 from ..muysc_qgis.errors import Cancelled, MuyscError
 from ..muysc_qgis.progress import Progress
 from ..muysc_qgis.staging import Staging, check_destination
-from ..muysc_qgis.translation import tr
+from ..muysc_qgis.translation import language, tr
 from .language import translated
 from .outputs.layers import file_of
 
@@ -183,7 +183,8 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
 
 def help_url(name: str) -> str:
     """Return the page of an algorithm, which comes with the plugin and needs no network."""
-    return QUrl.fromLocalFile(str(PAGES / f"{name}.html")).toString()
+    pages = [PAGES / language() / f"{name}.html", PAGES / f"{name}.html"]
+    return QUrl.fromLocalFile(str(next(filter(Path.is_file, pages), pages[-1]))).toString()
 
 
 def help_paragraphs(name: str) -> list[str]:

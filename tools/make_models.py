@@ -1,7 +1,8 @@
 """Write the models that come with the provider, from the algorithms they chain.
 
-Needs QGIS; run as ``make models`` after a change of the parameters that they take over. Inputs
-are those of the algorithms, with name, help, range and default.
+Needs QGIS 3.22; run as ``make models`` after a change of the parameters that they take over.
+Inputs are those of the algorithms, with name, help, range and default. Later versions write
+models whose outputs are named after their titles, which are translated.
 """
 
 from __future__ import annotations

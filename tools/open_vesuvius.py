@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from qgis.core import (
+    Qgis,
     QgsColorRampShader,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
@@ -13,6 +14,7 @@ from qgis.core import (
     QgsPalLayerSettings,
     QgsPointXY,
     QgsProject,
+    QgsRasterDataProvider,
     QgsRasterLayer,
     QgsRasterShader,
     QgsSingleBandPseudoColorRenderer,
@@ -38,12 +40,21 @@ def checkout() -> Path:
     return next(folder for folder in folders if folder.exists()).resolve()
 
 
+def smooth(layer: QgsRasterLayer) -> None:
+    """Interpolate heights between the cells; steps would be shaded as stripes."""
+    provider = layer.dataProvider()
+    provider.enableProviderResampling(True)
+    provider.setZoomedInResamplingMethod(QgsRasterDataProvider.ResamplingMethod.Cubic)
+    layer.setResamplingStage(Qgis.RasterResamplingStage.Provider)
+
+
 def hillshade(dem: str) -> QgsRasterLayer:
     """Return the terrain lit from the north-west."""
     layer = QgsRasterLayer(dem, "Vesuvius, hillshade")
     renderer = QgsHillshadeRenderer(layer.dataProvider(), 1, 315, 45)
     renderer.setZFactor(1 / METRES_PER_DEGREE)
     layer.setRenderer(renderer)
+    smooth(layer)
     return layer
 
 
@@ -59,6 +70,7 @@ def terrain(dem: str) -> QgsRasterLayer:
     shader.setRasterShaderFunction(ramp)
     layer.setRenderer(QgsSingleBandPseudoColorRenderer(layer.dataProvider(), 1, shader))
     layer.setOpacity(0.6)
+    smooth(layer)
     return layer
 
 
@@ -75,6 +87,7 @@ def places() -> QgsVectorLayer:
     )
     labels = QgsPalLayerSettings()
     labels.fieldName = "name"
+    labels.dist = 1.5  # mm beside the dot
     layer.setLabeling(QgsVectorLayerSimpleLabeling(labels))
     layer.setLabelsEnabled(True)
     return layer

@@ -1,4 +1,4 @@
-"""Every algorithm and every tool has a picture that can be drawn."""
+"""Every algorithm has an icon that can be drawn, and a page of help that is there."""
 
 from pathlib import Path
 
@@ -31,3 +31,12 @@ def test_every_algorithm_shows_the_icon_of_its_group(provider):
         group = algorithm.groupId().lower()
         assert (ROOT / "icons" / "groups" / f"{group}.svg").is_file(), algorithm.id()
         assert not algorithm.icon().pixmap(24, 24).isNull()
+
+
+def test_help_opens_a_page_that_is_there(provider):
+    from qgis.PyQt.QtCore import QUrl
+
+    for algorithm in provider.algorithms():
+        page = Path(QUrl(algorithm.helpUrl()).toLocalFile())
+        assert page.is_file(), algorithm.id()
+        assert f"<code>{algorithm.id()}</code>" in page.read_text(encoding="utf-8")
