@@ -24,6 +24,7 @@ from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.workflows.simulation import Telescope
 from muysc_qgis.workflows.site_assessment import SurveyPlan
 from muysc_qgis.workflows.site_selection import Wanted, select_sites
+from muysc_qgis.workflows.view_settings import ViewSettings
 
 ROOT = Path(__file__).resolve().parent.parent
 DEM = ROOT / "tests" / "data" / "vesuvius_srtmgl1.tif"
@@ -75,7 +76,7 @@ def _children(parent: int) -> list[int]:
 def main(counts: tuple[int, ...]) -> None:
     dem = open_dem(DEM)
     plan = SurveyPlan(
-        dem, TARGET, 0.0, 1.0, Aperture(60, 30, 64, 64), Physics(), Telescope(), None, 0.0
+        dem, TARGET, 0.0, 1.0, ViewSettings(Aperture(60, 30, 64, 64), Physics(), Telescope())
     )
     print(f"Survey of Vesuvius, 64 × 64 rays, {default_workers()} worker processes")
     for count in counts:

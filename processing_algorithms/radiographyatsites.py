@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -16,18 +17,17 @@ from qgis.core import (
 )
 
 from ..muysc_qgis.errors import MuyscError
-from ..muysc_qgis.radiography.aperture import Aperture
-from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.topography.dem import Dem
-from ..muysc_qgis.workflows.simulation import Telescope, check_range
+from ..muysc_qgis.workflows.simulation import check_range
 from ..muysc_qgis.workflows.sites import (
     Station,
-    StationSummary,
+    StationMuograms,
     gathered,
-    simulate_stations,
+    make_muograms,
     stations_of,
 )
+from ..muysc_qgis.workflows.view_settings import ViewSettings
 from .base import MuyscAlgorithm, progress_of
 from .outputs.sites import (
     FOLDER,
@@ -44,6 +44,7 @@ from .parameters.physics import (
     telescope_parameters,
 )
 from .parameters.sites import read_sites, sites_parameters
+from .parameters.survey import read_workers, workers_parameter
 from .parameters.terrain import dem_parameters, read_dem
 from .parameters.values import choices, read_choices, read_number
 from .parameters.view import (
@@ -68,11 +69,8 @@ class _Inputs:
     notes: list[str]
     skipped: list[str]
     quantities: list[str]
-    aperture: Aperture
-    max_range_m: float | None
-    near_field_m: float
-    physics: Physics
-    telescope: Telescope
+    view: ViewSettings
+    workers: int | None
 
 
 class RadiographyAtSites(MuyscAlgorithm):
@@ -98,6 +96,7 @@ class RadiographyAtSites(MuyscAlgorithm):
             *aperture_parameters(),
             *physics_parameters(),
             *telescope_parameters(),
+            workers_parameter(),
             folder_output(),
             index_output(),
         ]  # fmt: skip
@@ -136,11 +135,14 @@ class RadiographyAtSites(MuyscAlgorithm):
             [*assumed, *notes],
             [*lost, *skipped],
             quantities,
-            aperture,
-            max_range,
-            near_field,
-            read_physics(*read, context),
-            read_telescope(*read, context),
+            ViewSettings(
+                aperture,
+                read_physics(*read, context),
+                read_telescope(*read, context),
+                max_range,
+                near_field,
+            ),
+            read_workers(*read, context),
         )
 
     def compute(
@@ -158,39 +160,37 @@ class RadiographyAtSites(MuyscAlgorithm):
             feedback.pushInfo(text)
         for text in (*inputs.skipped, *check_folder(folder, stems, quantities)):
             feedback.pushWarning(text)
-        summaries: list[StationSummary] = []
-        said: list[tuple[str, str]] = []
-        for station, simulation in simulate_stations(
-            inputs.stations,
-            inputs.aperture,
-            inputs.physics,
-            inputs.telescope,
-            inputs.max_range_m,
-            inputs.near_field_m,
-            progress_of(feedback, 0.0, 0.95),
-        ):
-            stage_station(
-                station.site.stem, simulation, folder, quantities, context, staging, files
+        with TemporaryDirectory(prefix="muysc-") as temporary:
+            stations = make_muograms(
+                inputs.stations,
+                inputs.view,
+                quantities,
+                Path(temporary),
+                inputs.workers,
+                progress_of(feedback, 0.0, 0.9),
+                feedback.pushInfo,
+                feedback.pushWarning,
             )
-            summaries.append(StationSummary.of(station, simulation))
-            said += [(station.site.name, warning) for warning in simulation.warnings]
+            for station in stations:
+                stage_station(station, folder, context, staging, files)
+        said = [(one.site.name, warning) for one in stations for warning in one.warnings]
         for text in gathered(said):
             feedback.pushWarning(text)
         crs = inputs.layer.crs()
-        index = write_index(self, summaries, quantities, crs, parameters, context, staging)
-        return {FOLDER: str(folder), **index, **_numbers(inputs, summaries)}
+        index = write_index(self, stations, quantities, crs, parameters, context, staging)
+        return {FOLDER: str(folder), **index, **_numbers(inputs, stations)}
 
 
-def _numbers(inputs: _Inputs, summaries: list[StationSummary]) -> dict[str, float]:
-    thickness = np.array([one.maximum_thickness_m for one in summaries])
-    exposure = np.array([one.median_exposure_days for one in summaries])
+def _numbers(inputs: _Inputs, stations: list[StationMuograms]) -> dict[str, float]:
+    thickness = np.array([one.numbers.maximum_thickness_m for one in stations])
+    exposure = np.array([one.numbers.median_exposure_days for one in stations])
     return {
-        "SITES_DONE": len(summaries),
+        "SITES_DONE": len(stations),
         "SITES_SKIPPED": len(inputs.skipped),
-        "MUOGRAMS": len(summaries) * len(inputs.quantities),
+        "MUOGRAMS": len(stations) * len(inputs.quantities),
         "MAX_THICKNESS": float(np.fmax.reduce(thickness)),
         "MEDIAN_EXPOSURE": _median(exposure),
-        "UNKNOWN_PIXELS": sum(one.unknown_pixels for one in summaries),
+        "UNKNOWN_PIXELS": sum(one.numbers.unknown_pixels for one in stations),
     }
 
 

@@ -19,6 +19,7 @@ from ..muysc_qgis.survey.blocks import remove_finished
 from ..muysc_qgis.workflows.simulation import check_range
 from ..muysc_qgis.workflows.site_assessment import SurveyPlan
 from ..muysc_qgis.workflows.site_selection import Selection, Wanted, select_sites
+from ..muysc_qgis.workflows.view_settings import ViewSettings
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import destination
@@ -36,8 +37,9 @@ from .parameters.survey import (
     read_search,
     read_wanted,
     read_workers,
+    scheduler_parameter,
     target_body_parameters,
-    workers_parameters,
+    workers_parameter,
 )
 from .parameters.terrain import dem_parameters, read_dem
 from .parameters.values import read_number
@@ -90,7 +92,8 @@ class SiteSelection(MuyscAlgorithm):
             *aperture,
             *physics_parameters(),
             *telescope_parameters(),
-            *workers_parameters(),
+            workers_parameter(),
+            scheduler_parameter(),
             *map_outputs(),
             *site_outputs(),
             panel,
@@ -127,11 +130,13 @@ class SiteSelection(MuyscAlgorithm):
             target,
             target_height or 0.0,
             detector_height or 0.0,
-            read_aperture(*read, context),
-            read_physics(*read, context),
-            read_telescope(*read, context),
-            max_range,
-            near_field or 0.0,
+            ViewSettings(
+                read_aperture(*read, context),
+                read_physics(*read, context),
+                read_telescope(*read, context),
+                max_range,
+                near_field or 0.0,
+            ),
             radius or 0.0,
             depth or 0.0,
             thin or 0.0,
@@ -145,7 +150,8 @@ class SiteSelection(MuyscAlgorithm):
             search,
             [*assumed, *notes],
             read_wanted(*read, context),
-            *read_workers(*read, context),
+            read_workers(*read, context),
+            self.parameterAsString(parameters, "SCHEDULER", context).strip(),
         )
 
     def compute(

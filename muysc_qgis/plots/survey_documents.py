@@ -78,7 +78,7 @@ def report(
         ),
     ]
     candidates = selection.candidates
-    physics = plan.physics
+    physics = plan.view.physics
     return Report(
         title="Where to put the telescope",
         subtitle=f"{len(candidates)} candidates on the elevation model {plan.dem.name}",

@@ -10,9 +10,6 @@ from typing import Any
 from ..errors import MuyscError
 from .job import Job
 
-#: Items in a block: a second or two of work.
-BLOCK_ITEMS = 32
-
 _FINGERPRINT = "fingerprint.txt"
 _NOTE = "about.txt"
 _ABOUT = (
@@ -39,7 +36,7 @@ class BlockFolder:
 
     def __init__(self, folder: Path, job: Job) -> None:
         self.folder = folder
-        self._items = job.items
+        self._items, self._size = job.items, job.block_items
         fingerprint = job.fingerprint
         try:
             if folder.exists() and not self._holds(fingerprint):
@@ -71,15 +68,17 @@ class BlockFolder:
 
     def items(self, block: int) -> range:
         """Return the items of a block."""
-        return range(block * BLOCK_ITEMS, min((block + 1) * BLOCK_ITEMS, self._items))
+        return range(block * self._size, min((block + 1) * self._size, self._items))
 
     def _path(self, block: int) -> Path:
         return self.folder / f"block_{block:06d}.json"
 
     def pending(self) -> list[int]:
         """Return the blocks that are not finished."""
-        blocks = -(-self._items // BLOCK_ITEMS)
-        return [block for block in range(blocks) if not self._path(block).is_file()]
+        return [block for block in self._blocks() if not self._path(block).is_file()]
+
+    def _blocks(self) -> range:
+        return range(-(-self._items // self._size))
 
     def keep(self, block: int, results: list[Any]) -> None:
         """Keep a finished block.
@@ -102,10 +101,9 @@ class BlockFolder:
 
     def results(self) -> list[Any]:
         """Return the results of all items in their order, once no block is pending."""
-        blocks = range(-(-self._items // BLOCK_ITEMS))
         return [
             result
-            for block in blocks
+            for block in self._blocks()
             for result in json.loads(self._path(block).read_text(encoding="utf-8"))
         ]
 

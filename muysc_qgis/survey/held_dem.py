@@ -1,9 +1,9 @@
-"""Terrain held in memory, which any number of processes share."""
+"""Terrain for other processes: held in memory, which they share, or opened again."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -76,34 +76,50 @@ def hold(dem: Dem, window: tuple[int, int, int, int]) -> tuple[dict[str, Any], d
             f"{size / 2**30:.1f} GiB of memory and the limit is {LARGEST_BYTES / 2**30:.0f} GiB; "
             "give a maximum range, candidates closer together or a coarser DEM."
         )
-    settings = {
-        "path": dem.path,
-        "columns": dem.columns,
-        "rows": dem.rows,
-        "geotransform": list(dem.geotransform),
-        "crs": dem.crs.to_json(),
-        "assumptions": list(dem.assumptions),
-        "first_column": column,
-        "first_row": row,
-    }
+    settings = {**plain_dem(dem), "first_column": column, "first_row": row}
     return settings, {_HEIGHTS: dem.read(column, row, columns, rows)}
 
 
 def held_dem(settings: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> HeldDem:
     """Return the terrain that `hold` gave away."""
+    # Heights in memory are in metres, and unknown ones are NaN.
+    in_metres = {"scale": 1.0, "offset": 0.0, "no_data": None}
+    own = _fields({**settings, **in_metres})
+    return HeldDem(**own, _dataset=None, heights=arrays[_HEIGHTS])
+
+
+def plain_dem(dem: Dem) -> dict[str, Any]:
+    """Return plain settings from which `reopened_dem` makes the same DEM in another process."""
+    plain = {
+        field.name: getattr(dem, field.name) for field in fields(Dem) if field.name != "_dataset"
+    }
+    return {**plain, "crs": dem.crs.to_json()}
+
+
+def reopened_dem(settings: Mapping[str, Any]) -> Dem:
+    """Return the DEM of a file that was open in another process of this machine.
+
+    Raises
+    ------
+    MuyscError
+        If the file is gone.
+    """
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    try:
+        return Dem(**_fields(settings), _dataset=gdal.Open(settings["path"]))
+    except RuntimeError as error:
+        raise MuyscError(f"The DEM {settings['path']} cannot be opened again: {error}.") from error
+
+
+def _fields(settings: Mapping[str, Any]) -> dict[str, Any]:
+    """Return fields of a DEM from plain settings, which may have been text in between."""
     from pyproj import CRS
 
-    return HeldDem(
-        **{
-            **settings,
-            "crs": CRS.from_json(settings["crs"]),
-            "geotransform": tuple(settings["geotransform"]),
-            "assumptions": tuple(settings["assumptions"]),
-        },
-        band=1,
-        scale=1.0,
-        offset=0.0,
-        no_data=None,
-        _dataset=None,
-        heights=arrays[_HEIGHTS],
-    )
+    return {
+        **settings,
+        "crs": CRS.from_json(settings["crs"]),
+        "geotransform": tuple(settings["geotransform"]),
+        "assumptions": tuple(settings["assumptions"]),
+    }

@@ -40,12 +40,18 @@ class Job:
         Data by name.
     items
         Number of items.
+    called
+        What they are, for messages.
+    block_items
+        Items computed and kept together: a second or two of work.
     """
 
     function: str
     settings: Mapping[str, Any]
     arrays: Mapping[str, np.ndarray]
     items: int
+    called: str = "candidates"
+    block_items: int = 32
 
     @property
     def fingerprint(self) -> str:
@@ -63,6 +69,8 @@ class Job:
                 "version": __version__,
                 "function": self.function,
                 "items": self.items,
+                "called": self.called,
+                "block_items": self.block_items,
                 "settings": self.settings,
                 "arrays": sorted(self.arrays),
             },
@@ -83,7 +91,10 @@ class Job:
             name: np.load(folder / f"{name}.npy", mmap_mode="r", allow_pickle=False)
             for name in plain["arrays"]
         }
-        return cls(plain["function"], plain["settings"], arrays, plain["items"])
+        return cls(
+            plain["function"], plain["settings"], arrays, plain["items"], plain["called"],
+            plain["block_items"],
+        )  # fmt: skip
 
     def prepared(self) -> Compute:
         """Return what computes an item."""

@@ -181,10 +181,11 @@ def _start(folder: Path, number: int) -> subprocess.Popen[str]:
     program = python_program()
     if program is None:
         raise FileNotFoundError(2, "no Python is found beside QGIS")
-    from pyproj import __file__ as pyproj_file
+    import osgeo
+    import pyproj
 
     # Where QGIS has libraries that its Python alone would not find.
-    libraries = {str(Path(file).resolve().parents[1]) for file in (np.__file__, pyproj_file)}
+    libraries = {str(Path(one.__file__ or "").resolve().parents[1]) for one in (np, osgeo, pyproj)}
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONSAFEPATH"}
     paths = [environment.get("PYTHONPATH", ""), *sorted(libraries)]
     environment["PYTHONPATH"] = os.pathsep.join(path for path in paths if path)

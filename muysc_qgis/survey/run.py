@@ -76,7 +76,7 @@ def run_job(
     """
     kept = BlockFolder(folder, job)
     blocks = {block: kept.items(block) for block in kept.pending()}
-    pace = _Pace(job.items, sum(map(len, blocks.values())), progress, say)
+    pace = _Pace(job, sum(map(len, blocks.values())), progress, say)
     workers = default_workers() if workers is None else workers
     done: Iterator[tuple[int, list[Any]]]
     if scheduler:
@@ -124,12 +124,13 @@ def _compute_here(
 class _Pace:
     """How much is done, and how long the rest will take at the pace so far."""
 
-    def __init__(self, items: int, left: int, progress: Progress, say: Say) -> None:
-        self._items, self._left, self._progress, self._say = items, left, progress, say
+    def __init__(self, job: Job, left: int, progress: Progress, say: Say) -> None:
+        self._items, self._called = job.items, job.called
+        self._left, self._progress, self._say = left, progress, say
         self._begun = self._told = time.monotonic()
-        self._done_before = items - left
+        self._done_before = job.items - left
         if self._done_before > 0:
-            say(f"{self._done_before} of {items} candidates were finished by an earlier run.")
+            say(f"{self._done_before} of {job.items} {job.called} were finished by an earlier run.")
 
     def pulse(self, beyond: int = 0) -> None:
         """Tell the share done, `beyond` items more than counted, and heed a stop."""
@@ -144,7 +145,7 @@ class _Pace:
             seconds = self._left * (now - self._begun) / (done - self._done_before)
             self._told = now
             self._say(
-                f"{done} of {self._items} candidates are done, about {_spoken(seconds)} left."
+                f"{done} of {self._items} {self._called} are done, about {_spoken(seconds)} left."
             )
         self.pulse()
 

@@ -8,25 +8,21 @@ equal volume; each takes what the pixel in its direction holds.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 
 from ..errors import MuyscError
-from ..radiography.aperture import Aperture
 from ..radiography.counting import check_positive
-from ..radiography.settings import Physics
 from ..survey.body import TargetBody, target_body
 from ..survey.held_dem import held_dem, hold
 from ..survey.job import Job
-from ..telescope.acceptance import trajectories
-from ..telescope.geometry import TelescopeGeometry
 from ..topography.dem import Dem
 from ..topography.frame import local_frame
 from ..topography.profiles import PATH_STEP_M
 from ..topography.sight import take_sight
-from .simulation import Telescope, simulate
+from .view_settings import ViewSettings
 
 #: Name under which workers find `prepare`.
 _FUNCTION = "workflows.site_assessment:prepare"
@@ -50,11 +46,7 @@ class SurveyPlan:
     target: tuple[float, float]
     target_height_m: float
     detector_height_m: float
-    aperture: Aperture
-    physics: Physics
-    telescope: Telescope
-    max_range_m: float | None
-    near_field_m: float
+    view: ViewSettings
     #: Radius of the target body, and its depth below the ground at the target.
     radius_m: float = 300.0
     depth_m: float = 300.0
@@ -114,9 +106,7 @@ def assess(plan: SurveyPlan, body: TargetBody, position: tuple[float, float]) ->
     sight = take_sight(
         plan.dem, position, plan.target, plan.detector_height_m, plan.target_height_m
     )
-    simulation = simulate(
-        sight, plan.aperture, plan.physics, plan.telescope, plan.max_range_m, plan.near_field_m
-    )
+    simulation = plan.view.simulate(sight)
     thickness = simulation.muograms["thickness"]
     pixel = thickness.pixel_of(*body.seen_from(sight.frame, sight.detector_elevation_m))
     inside = pixel >= 0
@@ -163,16 +153,14 @@ def survey_job(plan: SurveyPlan, candidates: np.ndarray) -> Job:
     plain = {
         field.name: getattr(plan, field.name)
         for field in fields(plan)
-        if field.name not in ("dem", "aperture", "physics", "telescope")
+        if field.name not in ("dem", "view")
     }
     array = {f"{_BODY}{field.name}": getattr(body, field.name) for field in fields(body)}
     return Job(
         _FUNCTION,
         {
             "dem": held,
-            "aperture": asdict(plan.aperture),
-            "physics": asdict(plan.physics),
-            "telescope": _plain_telescope(plan.telescope),
+            "view": plan.view.plain(),
             "plan": {**plain, "target": list(plan.target)},
         },
         {**arrays, **array, _CANDIDATES: np.asarray(candidates, float)},
@@ -188,9 +176,7 @@ def prepare(settings: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> An
     """
     plan = SurveyPlan(
         dem=held_dem(settings["dem"], arrays),
-        aperture=Aperture(**settings["aperture"]),
-        physics=Physics(**settings["physics"]),
-        telescope=_telescope(settings["telescope"]),
+        view=ViewSettings.of(settings["view"]),
         **{**settings["plan"], "target": tuple(settings["plan"]["target"])},
     )
     body = TargetBody(*(arrays[f"{_BODY}{field.name}"] for field in fields(TargetBody)))
@@ -206,35 +192,16 @@ def prepare(settings: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> An
     return compute
 
 
-def _plain_telescope(telescope: Telescope) -> dict[str, Any]:
-    known = telescope.trajectories
-    return {
-        "acceptance_cm2_sr": telescope.acceptance_cm2_sr,
-        "muons": telescope.muons,
-        "geometry": None if known is None else asdict(known.geometry),
-        "formula": None if known is None else known.formula,
-    }
-
-
-def _telescope(plain: Mapping[str, Any]) -> Telescope:
-    geometry = plain["geometry"]
-    return Telescope(
-        plain["acceptance_cm2_sr"],
-        plain["muons"],
-        None if geometry is None else trajectories(TelescopeGeometry(**geometry), plain["formula"]),
-    )
-
-
 def _window(plan: SurveyPlan, candidates: np.ndarray) -> tuple[int, int, int, int]:
     """Return first column and row and the size of the terrain that rays from candidates reach."""
     dem = plan.dem
-    if plan.max_range_m is None or dem.wraps:
+    if plan.view.max_range_m is None or dem.wraps:
         return 0, 0, dem.columns, dem.rows
     column, row = dem.grid_position(candidates[:, 0], candidates[:, 1])
     extremes = {int(np.argmin(column)), int(np.argmax(column)), int(np.argmin(row)),
                 int(np.argmax(row))}  # fmt: skip
     # Profiles are laid in whole steps, so they read a little more than the range.
-    reach = 1.01 * plan.max_range_m + 2 * PATH_STEP_M
+    reach = 1.01 * plan.view.max_range_m + 2 * PATH_STEP_M
     far = [dem.grid_position(*plan.target)]
     for index in extremes:
         frame = local_frame(dem, float(candidates[index, 0]), float(candidates[index, 1]), "site")

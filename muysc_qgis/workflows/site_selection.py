@@ -168,7 +168,7 @@ def _warnings(
     telescopes: int,
 ) -> list[str]:
     count = len(numbers["score"])
-    said = [*plan.dem.assumptions, *plan.telescope.notes]
+    said = [*plan.dem.assumptions, *plan.view.telescope.notes]
     if unusable:
         often, _ = Counter(unusable).most_common(1)[0]
         said.append(f"{len(unusable)} of {count} candidates have no numbers: {often}")

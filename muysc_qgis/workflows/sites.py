@@ -4,17 +4,29 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
 
 from ..errors import MuyscError
-from ..progress import Progress, part, report, silent
+from ..muogram import write_muogram
+from ..progress import Progress, silent
 from ..radiography.aperture import Aperture
-from ..radiography.settings import Physics
+from ..survey.held_dem import plain_dem, reopened_dem
+from ..survey.job import Compute, Job
+from ..survey.run import Say, run_job, unheard
 from ..topography.dem import Dem
 from ..topography.frame import ground_height
 from ..topography.sight import Sight, take_sight
-from .simulation import Simulation, Telescope, simulate
+from .simulation import Simulation
+from .view_settings import ViewSettings
+
+#: Name under which workers find `prepare`.
+_FUNCTION = "workflows.sites:prepare"
+
+#: Sites handed out together.
+_TOGETHER = 8
 
 #: Site names in one sentence; the others are counted.
 _NAMED = 5
@@ -39,13 +51,15 @@ class Station:
 
     site: Site
     sight: Sight
+    #: (x, y) of the target in the DEM's CRS, and its height above ground (m).
+    target: tuple[float, float]
+    target_height_m: float
 
 
 @dataclass(frozen=True)
-class StationSummary:
+class StationNumbers:
     """What one site sees, in numbers."""
 
-    site: Site
     detector_elevation_m: float
     distance_m: float
     boresight_azimuth_deg: float
@@ -58,11 +72,9 @@ class StationSummary:
     unknown_pixels: int
 
     @classmethod
-    def of(cls, station: Station, simulation: Simulation) -> StationSummary:
+    def of(cls, sight: Sight, simulation: Simulation) -> StationNumbers:
         """Sum up a simulation."""
-        sight = station.sight
         return cls(
-            station.site,
             sight.detector_elevation_m,
             sight.target_distance_m,
             sight.boresight_azimuth_deg,
@@ -113,45 +125,118 @@ def stations_of(
         except MuyscError as error:
             skipped.append(f"Site {site.name} was skipped. {error}")
         else:
-            stations.append(Station(site, sight))
+            stations.append(Station(site, sight, target, target_height_m))
     if not stations:
         why = f": {skipped[0]}" if skipped else "."
         raise MuyscError(f"None of the {len(skipped)} sites can be used{why}")
     return stations, skipped
 
 
-def simulate_stations(
+@dataclass(frozen=True)
+class StationMuograms:
+    """What one site sees."""
+
+    site: Site
+    numbers: StationNumbers
+    #: One sentence each.
+    warnings: tuple[str, ...]
+    #: File by quantity, for the time being.
+    files: Mapping[str, Path]
+
+
+def make_muograms(
     stations: Sequence[Station],
-    aperture: Aperture,
-    physics: Physics,
-    telescope: Telescope,
-    max_range_m: float | None = None,
-    near_field_m: float = 0.0,
+    view: ViewSettings,
+    quantities: Sequence[str],
+    folder: Path,
+    workers: int | None = None,
     progress: Progress = silent,
-) -> Iterator[tuple[Station, Simulation]]:
-    """Simulate a radiography from every station, one after the other.
+    say: Say = unheard,
+    warn: Say = unheard,
+) -> list[StationMuograms]:
+    """Simulate a radiography from every station and write its muograms.
 
-    The arguments are those of `simulate`.
-
-    Yields
-    ------
-    tuple
-        The station and what it sees; only one simulation is in memory.
+    Parameters
+    ----------
+    stations
+        Where telescopes stand, all on one DEM.
+    view
+        What each of them looks with.
+    quantities
+        What to write.
+    folder
+        Empty folder for the muograms, from which the caller takes them.
+    workers, progress, say, warn
+        See `run_job`.
 
     Raises
     ------
     MuyscError
-        If a number cannot be used or the DEM cannot be read.
+        If a number cannot be used or a file cannot be read or written.
     Cancelled
         If `progress` asks for a stop.
     """
-    for index, station in enumerate(stations):
-        share = part(progress, index / len(stations), (index + 1) / len(stations))
-        yield (
-            station,
-            simulate(station.sight, aperture, physics, telescope, max_range_m, near_field_m, share),
+    job = Job(
+        _FUNCTION,
+        {
+            "dem": plain_dem(stations[0].sight.frame.dem),
+            "view": view.plain(),
+            "stations": [
+                {
+                    "position": station.site.position,
+                    "height_m": station.site.height_m,
+                    "target": station.target,
+                    "target_height_m": station.target_height_m,
+                }
+                for station in stations
+            ],
+            "quantities": list(quantities),
+            "folder": str(folder),
+        },
+        {},
+        len(stations),
+        "sites",
+        _TOGETHER,
+    )
+    results = run_job(job, folder / "job", workers, "", progress, say, warn)
+    return [
+        StationMuograms(
+            station.site,
+            StationNumbers(**result["numbers"]),
+            tuple(result["warnings"]),
+            {quantity: _file(folder, item, quantity) for quantity in quantities},
         )
-        report(share, 1.0)
+        for item, (station, result) in enumerate(zip(stations, results))
+    ]
+
+
+def prepare(settings: Mapping[str, Any], arrays: Mapping[str, Any]) -> Compute:
+    """Return what writes the muograms of a station by its number, see `make_muograms`."""
+    dem, view = reopened_dem(settings["dem"]), ViewSettings.of(settings["view"])
+    folder = Path(settings["folder"])
+
+    def compute(item: int) -> dict[str, Any]:
+        plain = settings["stations"][item]
+        sight = take_sight(
+            dem,
+            tuple(plain["position"]),
+            tuple(plain["target"]),
+            plain["height_m"],
+            plain["target_height_m"],
+        )
+        simulation = view.simulate(sight)
+        for quantity in settings["quantities"]:
+            write_muogram(simulation.muograms[quantity], _file(folder, item, quantity))
+        return {
+            "numbers": asdict(StationNumbers.of(sight, simulation)),
+            "warnings": list(simulation.warnings),
+        }
+
+    return compute
+
+
+def _file(folder: Path, item: int, quantity: str) -> Path:
+    return folder / f"{item}_{quantity}.tif"
 
 
 def file_stems(names: Sequence[str | None]) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -16,10 +17,9 @@ from qgis.core import (
 )
 
 from ...muysc_qgis.errors import MuyscError
-from ...muysc_qgis.muogram import read_muogram, write_muogram
+from ...muysc_qgis.muogram import read_muogram
 from ...muysc_qgis.staging import Staging
-from ...muysc_qgis.workflows.simulation import Simulation
-from ...muysc_qgis.workflows.sites import StationSummary
+from ...muysc_qgis.workflows.sites import StationMuograms
 from ..compat import VECTOR_POINT
 from ..parameters.values import explained
 from .points import Point, write_points
@@ -27,7 +27,7 @@ from .rasters import stage_raster
 
 FOLDER, INDEX = "FOLDER", "INDEX"
 
-#: Fields of the index that hold numbers, by their names in `StationSummary`.
+#: Fields of the index that hold numbers, by their names in `StationNumbers`.
 _NUMBERS: dict[str, type] = {
     "detector_elevation_m": float,
     "distance_m": float,
@@ -107,26 +107,23 @@ def _refuse_foreign(path: Path, quantity: str) -> None:
 
 
 def stage_station(
-    stem: str,
-    simulation: Simulation,
+    station: StationMuograms,
     folder: Path,
-    quantities: Sequence[str],
     context: QgsProcessingContext,
     staging: Staging,
     inputs: tuple[str, ...],
 ) -> None:
     """Stage the muograms of one site with their styles."""
-    for quantity in quantities:
-        muogram = simulation.muograms[quantity]
-        path = str(folder / muogram_file(stem, quantity))
-        write_muogram(
-            muogram, stage_raster(staging, path, inputs, context, muogram.values, muogram.kind)
-        )
+    for quantity, file in station.files.items():
+        muogram = read_muogram(file)
+        path = str(folder / muogram_file(station.site.stem, quantity))
+        staged = stage_raster(staging, path, inputs, context, muogram.values, muogram.kind)
+        shutil.move(file, staged)
 
 
 def write_index(
     algorithm: QgsProcessingAlgorithm,
-    summaries: Iterable[StationSummary],
+    stations: Iterable[StationMuograms],
     quantities: Sequence[str],
     crs: QgsCoordinateReferenceSystem,
     parameters: dict[str, Any],
@@ -143,13 +140,13 @@ def write_index(
     kinds = {**dict.fromkeys(("site", *quantities), str), **_NUMBERS}
     points = [
         Point(
-            summary.site.position,
+            station.site.position,
             (
-                summary.site.name,
-                *(muogram_file(summary.site.stem, quantity) for quantity in quantities),
-                *(getattr(summary, name) for name in _NUMBERS),
+                station.site.name,
+                *(muogram_file(station.site.stem, quantity) for quantity in quantities),
+                *(getattr(station.numbers, name) for name in _NUMBERS),
             ),
         )
-        for summary in summaries
+        for station in stations
     ]
     return write_points(algorithm, INDEX, kinds, points, crs, parameters, context, staging)

@@ -152,22 +152,25 @@ def choice_parameters() -> list[QgsProcessingParameterDefinition]:
     ]  # fmt: skip
 
 
-def workers_parameters() -> list[QgsProcessingParameterDefinition]:
-    """Declare who computes."""
-    return [
-        number(
-            "WORKERS", "Worker processes (empty: one for each processor)",
-            "Give the number of processes that compute, 0 or more; 0 and 1 compute in QGIS itself.",
-            None, 0, whole=True, advanced=True,
+def workers_parameter() -> QgsProcessingParameterDefinition:
+    """Declare how many processes compute."""
+    return number(
+        "WORKERS", "Worker processes (empty: one for each processor)",
+        "Give the number of processes that compute, 0 or more; 0 and 1 compute in QGIS itself.",
+        None, 0, whole=True, advanced=True,
+    )  # fmt: skip
+
+
+def scheduler_parameter() -> QgsProcessingParameterDefinition:
+    """Declare the cluster that computes."""
+    return explained(
+        QgsProcessingParameterString(
+            "SCHEDULER", "Dask scheduler (empty: this machine)", None, False, True
         ),
-        explained(
-            QgsProcessingParameterString("SCHEDULER", "Dask scheduler (empty: this machine)", None,
-                                         False, True),
-            "Address of the scheduler of a Dask cluster, such as tcp://10.0.0.1:8786, whose "
-            "workers compute in place of this machine. It needs the Python library distributed.",
-            advanced=True,
-        ),
-    ]  # fmt: skip
+        "Address of the scheduler of a Dask cluster, such as tcp://10.0.0.1:8786, whose workers "
+        "compute in place of this machine. It needs the Python library distributed.",
+        advanced=True,
+    )
 
 
 @dataclass(frozen=True)
@@ -267,8 +270,8 @@ def read_wanted(
 
 def read_workers(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> tuple[int | None, str]:
-    """Return the number of workers, None for all processors, and the scheduler's address.
+) -> int | None:
+    """Return the number of workers, None for one for each processor.
 
     Raises
     ------
@@ -280,8 +283,7 @@ def read_workers(
         raise MuyscError(
             f"{workers:g} worker processes are impossible; give a whole number from 0."
         )
-    address = algorithm.parameterAsString(parameters, "SCHEDULER", context).strip()
-    return None if workers is None else int(workers), address
+    return None if workers is None else int(workers)
 
 
 def _read_points(

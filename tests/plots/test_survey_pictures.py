@@ -14,6 +14,7 @@ from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.workflows.simulation import Telescope
 from muysc_qgis.workflows.site_assessment import SurveyPlan
 from muysc_qgis.workflows.site_selection import Wanted, select_sites
+from muysc_qgis.workflows.view_settings import ViewSettings
 
 TARGET = (14.4262, 40.8216)
 
@@ -22,7 +23,7 @@ TARGET = (14.4262, 40.8216)
 def survey(data_folder, tmp_path_factory):
     dem = open_dem(data_folder / "vesuvius_srtmgl1.tif")
     plan = SurveyPlan(
-        dem, TARGET, -100.0, 1.0, Aperture(50, 30, 8, 6), Physics(), Telescope(), None, 0.0
+        dem, TARGET, -100.0, 1.0, ViewSettings(Aperture(50, 30, 8, 6), Physics(), Telescope())
     )
     grid = grid_around(dem, TARGET, 2500.0, 700.0)
     candidates = find_candidates(dem, TARGET, grid, Limits(1200.0, 2500.0))

@@ -219,3 +219,24 @@ def test_a_temporary_folder_will_do(run, survey):
     done = run("radiographyatsites", {**survey, "FOLDER": "TEMPORARY_OUTPUT", "INDEX": None})
     assert len(list(Path(done["FOLDER"]).glob("*.tif"))) == 9
     assert "INDEX" not in done
+
+
+def test_worker_processes_change_nothing(run, survey, tmp_path):
+    places = [((14.40 + 0.005 * step, 40.81), None, 1.0) for step in range(10)]
+    many = {
+        **survey,
+        "SITES": write_sites(tmp_path / "many.gpkg", places),
+        "AZIMUTH_PIXELS": 6,
+        "ELEVATION_PIXELS": 4,
+    }
+    alone = run("radiographyatsites", {**many, "WORKERS": 0})
+    shared = {"FOLDER": str(tmp_path / "shared"), "INDEX": str(tmp_path / "shared.gpkg")}
+    together = run("radiographyatsites", {**many, "WORKERS": 2, **shared})
+    assert rows(together["INDEX"]) == rows(alone["INDEX"])
+    files = sorted(Path(alone["FOLDER"]).glob("*.tif"))
+    assert len(files) == 30
+    for file in files:
+        values, metadata = read(file)
+        others, other_metadata = read(Path(together["FOLDER"]) / file.name)
+        np.testing.assert_array_equal(others, values)
+        assert other_metadata == metadata

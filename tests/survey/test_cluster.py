@@ -4,12 +4,13 @@ import os
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from muysc_qgis.errors import Cancelled, MuyscError
-from muysc_qgis.survey import blocks
 from muysc_qgis.survey.cluster import compute_on_cluster
 from muysc_qgis.survey.run import run_job
 from muysc_qgis.workflows.site_assessment import survey_job
@@ -75,11 +76,6 @@ class Cluster:
             time.sleep(0.05)
 
 
-@pytest.fixture(autouse=True)
-def small_blocks(monkeypatch):
-    monkeypatch.setattr(blocks, "BLOCK_ITEMS", 2)
-
-
 @pytest.fixture(scope="module")
 def cluster(tmp_path_factory):
     started = Cluster(tmp_path_factory.mktemp("cluster"))
@@ -89,7 +85,7 @@ def cluster(tmp_path_factory):
 
 @pytest.fixture
 def job(plan, places):
-    return survey_job(plan(), places(COUNT))
+    return replace(survey_job(plan(), places(COUNT)), block_items=2)
 
 
 @pytest.fixture
@@ -153,7 +149,8 @@ def test_data_lost_with_its_worker_is_sent_again(cluster, job, alone):
         if len(results) == 3:
             cluster.kill("first")
             cluster.start_worker("third")
-    assert [row for block in sorted(results) for row in results[block]] == alone
+    found = [row for block in sorted(results) for row in results[block]]
+    np.testing.assert_array_equal(found, alone)
 
 
 def test_a_scheduler_that_does_not_answer_is_one_sentence(job, tmp_path, monkeypatch):

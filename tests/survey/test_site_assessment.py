@@ -19,8 +19,9 @@ from muysc_qgis.workflows.site_assessment import NUMBERS, assess, survey_job
 
 def simulated(plan, place):
     sight = take_sight(plan.dem, place, plan.target, plan.detector_height_m, plan.target_height_m)
+    view = plan.view
     return sight, simulate(
-        sight, plan.aperture, plan.physics, plan.telescope, plan.max_range_m, plan.near_field_m
+        sight, view.aperture, view.physics, view.telescope, view.max_range_m, view.near_field_m
     )
 
 

@@ -5,13 +5,14 @@ import os
 import signal
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from muysc_qgis.errors import Cancelled, MuyscError
-from muysc_qgis.survey import blocks, local
+from muysc_qgis.survey import local
 from muysc_qgis.survey.blocks import BlockFolder, remove_finished
 from muysc_qgis.survey.job import answer
 from muysc_qgis.survey.local import compute_locally, python_program
@@ -21,11 +22,6 @@ from muysc_qgis.workflows.site_assessment import survey_job
 #: Small blocks, so that a short survey has several.
 BLOCK_ITEMS = 4
 COUNT = 2 * BLOCK_ITEMS + 3
-
-
-@pytest.fixture(autouse=True)
-def small_blocks(monkeypatch):
-    monkeypatch.setattr(blocks, "BLOCK_ITEMS", BLOCK_ITEMS)
 
 
 def alive(process):
@@ -48,7 +44,7 @@ def children():
 
 @pytest.fixture
 def job(plan, places):
-    return survey_job(plan(), places(COUNT))
+    return replace(survey_job(plan(), places(COUNT)), block_items=BLOCK_ITEMS)
 
 
 @pytest.fixture
@@ -149,7 +145,7 @@ def test_blocks_of_another_job_are_not_taken(job, plan, places, tmp_path):
     folder = tmp_path / "x.partial"
     BlockFolder(folder, job).keep(0, ["theirs"])
     assert BlockFolder(folder, job).pending() == [1, 2]
-    other = survey_job(plan(days=50.0), places(COUNT))
+    other = replace(survey_job(plan(days=50.0), places(COUNT)), block_items=BLOCK_ITEMS)
     assert other.fingerprint != job.fingerprint
     assert BlockFolder(folder, other).pending() == [0, 1, 2]
 
