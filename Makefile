@@ -14,7 +14,7 @@ unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint qgis bench reference models translations screenshots validation experiments package clean packages development-packages
+.PHONY: help demo test lint qgis bench reference models translations screenshots validation experiments matrix package clean packages development-packages
 
 help: ## Show this list
 	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/^([a-z]+):.*## /\1\t/' \
