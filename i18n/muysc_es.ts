@@ -1524,6 +1524,14 @@
       <translation>Qué se escribe para cada sitio, un ráster por magnitud.</translation>
     </message>
     <message>
+      <source>Worker processes (empty: one for each processor)</source>
+      <translation>Procesos de cálculo (vacío: uno por procesador)</translation>
+    </message>
+    <message>
+      <source>Give the number of processes that compute, 0 or more; 0 and 1 compute in QGIS itself.</source>
+      <translation>Indique el número de procesos que calculan, 0 o más; 0 y 1 calculan en el propio QGIS.</translation>
+    </message>
+    <message>
       <source>Folder of the muograms</source>
       <translation>Carpeta de los muogramas</translation>
     </message>
@@ -2408,14 +2416,6 @@
       <translation>Indique el ángulo alrededor del objetivo en grados, mayor que 0 y hasta 360, a cada lado de un telescopio, en el que ya no aporta nada.</translation>
     </message>
     <message>
-      <source>Worker processes (empty: one for each processor)</source>
-      <translation>Procesos de cálculo (vacío: uno por procesador)</translation>
-    </message>
-    <message>
-      <source>Give the number of processes that compute, 0 or more; 0 and 1 compute in QGIS itself.</source>
-      <translation>Indique el número de procesos que calculan, 0 o más; 0 y 1 calculan en el propio QGIS.</translation>
-    </message>
-    <message>
       <source>Dask scheduler (empty: this machine)</source>
       <translation>Planificador de Dask (vacío: este equipo)</translation>
     </message>
@@ -2817,7 +2817,7 @@
     </message>
     <message>
       <source>Azimuth {angle}°</source>
-      <translation type="unfinished" />
+      <translation>Azimut {angle}°</translation>
     </message>
     <message>
       <source>Elevation {angle}°</source>
@@ -2872,8 +2872,16 @@
       <translation>Marcar detector</translation>
     </message>
     <message>
+      <source>Click on the map where the telescope stands, or drag its marker</source>
+      <translation>Haga clic en el mapa donde está el telescopio, o arrastre su marca</translation>
+    </message>
+    <message>
       <source>Pick target</source>
       <translation>Marcar objetivo</translation>
+    </message>
+    <message>
+      <source>Click on the map what the telescope points at, or drag its marker</source>
+      <translation>Haga clic en el mapa en aquello a lo que apunta el telescopio, o arrastre su marca</translation>
     </message>
     <message>
       <source>Height of the detector above ground, negative below</source>
