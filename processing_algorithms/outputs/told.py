@@ -27,6 +27,7 @@ from ...muysc_qgis.telescope.presets import CUSTOM, PRESETS
 from ...muysc_qgis.tomography.solvers import METHODS
 from ..language import english_label
 from ..parameters.telescope import NONE
+from ..parameters.values import given
 
 #: Units that labels of parameters end with, and what comes before the stand-in for no value.
 _UNITS = ("m", "cm", "°", "g/cm³", "cm² sr", "GeV", "days", "%", "GiB")
@@ -168,6 +169,7 @@ def _without_effect(
         return str(algorithm.parameterAsEnumString(parameters, name, context))
 
     names: set[str] = set()
+    definitions = {one.name() for one in algorithm.parameterDefinitions()}
     preset, model = chosen("PRESET"), chosen("FLUX_MODEL")
     if preset not in (None, CUSTOM):
         names |= {*_SIZES, *(["FORMULA"] if preset == NONE else [])}
@@ -177,4 +179,7 @@ def _without_effect(
         word = chosen(choice)
         if word is not None:
             names |= {name for name, words in dependent.items() if word not in words}
+    if given(parameters, "SITES"):
+        # A layer of sites stands in for the ring.
+        names |= {name for name in definitions if name.startswith("RING_")}
     return names

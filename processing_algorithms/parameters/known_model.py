@@ -120,9 +120,14 @@ def read_model(
     read = (algorithm, parameters)
     kind = read_choice(*read, "MODEL", context)
     density = read_number(*read, "ROCK_DENSITY", context)
-    place, notes = target, []
+    place = target
+    notes: list[str] = []
     if given(parameters, "BODY_POSITION"):
         place, notes = read_point(*read, "BODY_POSITION", context, layer)
+    prisms: tuple[Prism, ...] = ()
+    if kind == "polygons":
+        prisms, assumed = _prisms(*read, context, crs)
+        notes = [*notes, *assumed]
     x, y = transformed(dem.crs, crs, np.array([place[0]]), np.array([place[1]]))
     model = KnownModel(
         kind=kind,
@@ -134,7 +139,7 @@ def read_model(
         top_m=read_number(*read, "BODY_TOP", context),
         middle_m=read_number(*read, "BODY_MIDDLE", context),
         centre=(float(x[0]), float(y[0])),
-        prisms=_prisms(*read, context, crs) if kind == "polygons" else (),
+        prisms=prisms,
     )
     return model, notes
 
@@ -144,8 +149,8 @@ def _prisms(
     parameters: dict[str, Any],
     context: QgsProcessingContext,
     crs: CRS,
-) -> tuple[Prism, ...]:
-    """Return the polygons of the layer in the CRS of the volume."""
+) -> tuple[tuple[Prism, ...], list[str]]:
+    """Return the polygons of the layer in the CRS of the volume, and what was assumed for it."""
     if not given(parameters, "POLYGONS"):
         raise MuyscError(
             "MODEL is polygons and POLYGONS is missing; choose a layer of polygons with the fields "
@@ -157,22 +162,27 @@ def _prisms(
             f"POLYGONS “{parameters['POLYGONS']}” is no layer; choose a layer of polygons."
         )
     fields = _fields(source)
-    own = source.sourceCrs()
-    target = QgsCoordinateReferenceSystem.fromWkt(crs.to_wkt())
-    transform = QgsCoordinateTransform(
-        own if own.isValid() else target, target, context.transformContext()
-    )
+    own, target = source.sourceCrs(), QgsCoordinateReferenceSystem.fromWkt(crs.to_wkt())
+    notes = []
+    if not own.isValid():
+        own = target
+        notes.append(
+            f"POLYGONS has no coordinate reference system; that of the volume, {crs.name}, was "
+            "assumed."
+        )
+    transform = QgsCoordinateTransform(own, target, context.transformContext())
     prisms = []
     for number_, feature in enumerate(source.getFeatures(), 1):
         values = [_value(feature, fields[name], name, number_) for name in _FIELDS]
-        geometry = QgsGeometry(feature.geometry())
-        if geometry.isEmpty():
+        if feature.geometry().isEmpty():
             continue
+        # Curves become straight pieces.
+        geometry = QgsGeometry(feature.geometry().constGet().segmentize())
         geometry.transform(transform)
         prisms.append(Prism(str(number_), _rings(geometry), values[1], values[2], values[0]))
     if not prisms:
         raise MuyscError("POLYGONS holds no polygon; add one, or choose another model.")
-    return tuple(prisms)
+    return tuple(prisms), notes
 
 
 def _fields(source: QgsFeatureSource) -> dict[str, int]:

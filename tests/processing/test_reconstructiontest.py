@@ -31,6 +31,7 @@ def small(vesuvius, tmp_path):
         "ELEVATION_PIXELS": 12,
         "ACCEPTANCE": 100,
         "DAYS": 1000,
+        "MINIMUM_COUNTS": 0,
         "VOXEL_SIZE": 100,
         "BASE": 900,
         "DENSITY": str(tmp_path / "density.tif"),
@@ -98,8 +99,9 @@ def test_the_known_model_has_the_densities_of_rock_and_body(run, small, tmp_path
 
 
 def test_the_same_seed_draws_the_same_counts(run, small):
+    fewer = {**small, "RING_SITES": 3, "AZIMUTH_PIXELS": 8, "ELEVATION_PIXELS": 8}
     first, again, other = (
-        run("reconstructiontest", {**small, "MODEL": "uniform", "SEED": seed}) for seed in (3, 3, 4)
+        run("reconstructiontest", {**fewer, "MODEL": "uniform", "SEED": seed}) for seed in (3, 3, 4)
     )
     assert first["MUONS_COUNTED"] == again["MUONS_COUNTED"] != other["MUONS_COUNTED"]
     assert first["SPREAD"] == again["SPREAD"] != other["SPREAD"]
@@ -175,3 +177,29 @@ def test_polygons_that_lack_something_are_named(run, small, fields, values, sent
     layer = polygons(fields, [(POLYGON, values)])
     with pytest.raises(QgsProcessingException, match=sentence):
         run("reconstructiontest", {**small, "MODEL": "polygons", "POLYGONS": layer})
+
+
+def test_sites_of_a_layer_stand_in_for_the_ring(run, small, recorder, tmp_path):
+    from qgis.core import QgsFeature, QgsGeometry, QgsVectorLayer
+
+    layer = QgsVectorLayer("Point?crs=EPSG:4326&field=name:string", "sites", "memory")
+    for name, x, y in (
+        ("north", 14.4294, 40.8300), ("east", 14.4390, 40.8222), ("south", 14.4294, 40.8140),
+        ("west", 14.4190, 40.8222), ("sea", 14.0, 40.5),
+    ):  # fmt: skip
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromWkt(f"POINT({x} {y})"))
+        feature.setAttributes([name])
+        layer.dataProvider().addFeature(feature)
+    feedback = recorder()
+    stations = str(tmp_path / "stations.gpkg")
+    results = run(
+        "reconstructiontest",
+        {**small, "SITES": layer, "NAME_FIELD": "name", "MODEL": "uniform", "NOISE": False,
+         "STATIONS": stations},
+        feedback,
+    )  # fmt: skip
+    assert results["SITES_USED"] == 4
+    assert any("Site sea was skipped" in text for text in feedback.warnings)
+    written = QgsVectorLayer(stations, "stations")
+    assert [one["site"] for one in written.getFeatures()] == ["north", "east", "south", "west"]
