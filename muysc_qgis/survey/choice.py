@@ -83,10 +83,7 @@ def telescope_set(
     MuyscError
         If the width is not above 0.
     """
-    if not 0 < width_deg <= 360:
-        raise MuyscError(
-            f"A width of {width_deg:g}° covers nothing; give degrees above 0 and up to 360."
-        )
+    check_width(width_deg)
     able = _best_of_each_degree(azimuth_deg, score)
     worth = np.array([coverage(azimuth_deg[[one]], score[[one]], width_deg) for one in able])
     covered = np.zeros(len(_AZIMUTHS))
@@ -101,6 +98,20 @@ def telescope_set(
         chosen.append(int(able[best]))
         means.append(float(covered.mean()))
     return np.array(chosen, dtype=int), np.array(means)
+
+
+def check_width(width_deg: float) -> None:
+    """Refuse an angle to either side of a telescope that covers nothing.
+
+    Raises
+    ------
+    MuyscError
+        If it is not above 0° and up to 360°.
+    """
+    if not 0 < width_deg <= 360:
+        raise MuyscError(
+            f"An angle of {width_deg:g}° covers nothing; give degrees above 0 and up to 360."
+        )
 
 
 def _best_of_each_degree(azimuth_deg: np.ndarray, score: np.ndarray) -> np.ndarray:

@@ -17,8 +17,9 @@ from .local import WorkersFailed, compute_locally
 #: Told what happens, one sentence at a time.
 Say = Callable[[str], None]
 
-#: How often (s) the remaining time is told.
+#: How often (s) the remaining time is told, and after how many blocks first.
 _TELL_S = 5.0
+_LEAST_BLOCKS = 3
 
 
 def unheard(text: str) -> None:
@@ -126,6 +127,7 @@ class _Pace:
 
     def __init__(self, job: Job, left: int, progress: Progress, say: Say) -> None:
         self._items, self._called = job.items, job.called
+        self._least = _LEAST_BLOCKS * job.block_items
         self._left, self._progress, self._say = left, progress, say
         self._begun = self._told = time.monotonic()
         self._done_before = job.items - left
@@ -139,10 +141,11 @@ class _Pace:
     def count(self, items: int) -> None:
         """Count items as done."""
         self._left -= items
-        now = time.monotonic()
-        if self._left and now - self._told > _TELL_S:
-            done = self._items - self._left
-            seconds = self._left * (now - self._begun) / (done - self._done_before)
+        now, done = time.monotonic(), self._items - self._left
+        lately = done - self._done_before
+        # The first blocks say little, because others are half done beside them.
+        if self._left and now - self._told > _TELL_S and lately >= self._least:
+            seconds = self._left * (now - self._begun) / lately
             self._told = now
             self._say(
                 f"{done} of {self._items} {self._called} are done, about {_spoken(seconds)} left."

@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import MuyscError
 from ..progress import Progress, silent
 from ..survey.candidates import Candidates
-from ..survey.choice import best_sites, telescope_set
+from ..survey.choice import best_sites, check_width, telescope_set
 from ..survey.run import Say, run_job, unheard
 from ..topography.frame import transformed
 from .site_assessment import NUMBERS, SurveyPlan, survey_job
@@ -48,6 +48,7 @@ class Wanted:
                 f"{self.best} best sites and {self.telescopes} telescopes leave nothing to choose; "
                 "give at least 1 of each."
             )
+        check_width(self.width)
         if not 0 <= self.apart_m < math.inf:
             raise MuyscError(
                 f"Sites {self.apart_m:g} m apart are impossible; give a distance of 0 m or more."

@@ -226,6 +226,7 @@ def test_candidates_may_be_points(run, everything, tmp_path):
         ({"MINIMUM_THICKNESS": 4000, "MAXIMUM_THICKNESS": 4001}, ("None of", "sees", "median")),
         ({"DAYS": 0}, ("days of the campaign is 0",)),
         ({"SITES_WANTED": 0}, ("0 best sites",)),
+        ({"COVERED_ANGLE": 0}, ("angle of 0°",)),
         ({"WORKERS": -1}, ("-1 worker",)),
         ({"ELEVATION_APERTURE": 178}, ("candidates can be used", "past ±90°")),
         ({"SCORE": "score.png"}, ("score.png", ".tif")),

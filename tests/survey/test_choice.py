@@ -59,5 +59,5 @@ def test_telescopes_that_add_nothing_are_left_out():
 
 
 def test_an_impossible_width_is_refused():
-    with pytest.raises(MuyscError, match="width of 400°"):
+    with pytest.raises(MuyscError, match="angle of 400°"):
         telescope_set(np.array([1.0]), np.array([1.0]), 1, 400.0)

@@ -185,8 +185,9 @@ def test_remaining_time_is_told(job, tmp_path, monkeypatch):
 
     monkeypatch.setattr(run, "_TELL_S", 0.0)
     said = []
+    job = replace(job, block_items=2)
     run_job(job, tmp_path / "x.partial", workers=0, say=said.append)
-    assert said[0].startswith(f"{BLOCK_ITEMS} of {COUNT} candidates are done, about ")
+    assert said[0].startswith(f"6 of {COUNT} candidates are done, about ")
     assert said[0].endswith(" s left.")
 
 
