@@ -199,7 +199,9 @@ def in_the_page(figure):
 
 
 def texts(figure):
-    return [one.get_text() for one in figure.findobj(lambda a: hasattr(a, "get_text"))]
+    from matplotlib.text import Text
+
+    return [one.get_text() for one in figure.findobj(Text)]
 
 
 def test_the_panel_shows_slice_sections_views_and_rays(tomography, slope):
