@@ -34,6 +34,8 @@ SIZE = (1500, 940)
 RADIOGRAPHY, SURVEY = "muysc:radiography", "muysc:volcanosurvey"
 #: A pixel of the muogram, below the summit.
 ROW, COLUMN = 45, 50
+#: A second place for the telescope, east of the mountain.
+ELSEWHERE = (14.4405, 40.8135)
 
 
 def save(name: str, widget: QWidget) -> None:
@@ -111,9 +113,20 @@ def guide_desktop() -> None:
     save("guide_desktop", window())
 
 
-def guide_dock() -> None:
-    """Show the dock alone."""
-    save("guide_dock", plugins["muysc"].desktop.dock)
+def guide_sites() -> None:
+    """Show two places side by side."""
+    dock = plugins["muysc"].desktop.dock
+    hand = Hand(dock, iface.mapCanvas())
+    dock.places.setCollapsed(False)
+    dock.sites.add.click()
+    hand.take("detector")
+    hand.click(*ELSEWHERE)
+    hand.settle()
+    dock.sites.add.click()
+    hand.settle()
+    iface.mapCanvas().unsetMapTool(iface.mapCanvas().mapTool())
+    wait_for_map()
+    save("guide_sites", window())
 
 
 def guide_section() -> None:

@@ -34,6 +34,8 @@ FOLDER = ROOT / "processing_algorithms" / "models"
 GROUP = "Models"
 #: Places in the designer: inputs above, then a row for each step.
 COLUMN, ROW = 240, 170
+#: The designer shows nothing left of or above its corner.
+LEFT, UP = 160, 90
 INPUTS_IN_A_ROW = 5
 
 
@@ -156,14 +158,17 @@ def build(model: Model, provider: QgsProcessingProvider) -> QgsProcessingModelAl
         step = next(one for one in model.steps if name in one.inputs)
         place = QgsProcessingModelParameter(name)
         place.setPosition(
-            QPointF(number % INPUTS_IN_A_ROW * COLUMN, number // INPUTS_IN_A_ROW * ROW / 2)
+            QPointF(
+                LEFT + number % INPUTS_IN_A_ROW * COLUMN,
+                UP + number // INPUTS_IN_A_ROW * ROW / 2,
+            )
         )
         declared = provider.algorithm(step.algorithm).parameterDefinition(name)
         built.addModelParameter(declared.clone(), place)
     built.setParameterOrder(names)
-    first_row = (len(names) // INPUTS_IN_A_ROW + 1) * ROW / 2 + ROW
+    first_row = UP + (len(names) // INPUTS_IN_A_ROW + 1) * ROW / 2 + ROW
     for number, step in enumerate(model.steps):
-        place = QPointF(number * 2.5 * COLUMN, first_row)
+        place = QPointF(LEFT + number * 2.2 * COLUMN, first_row)
         built.addChildAlgorithm(_child(step, provider.algorithm(step.algorithm), place))
     helps = {"ALG_DESC": model.help}
     helps |= {name: built.parameterDefinition(name).help() for name in names}

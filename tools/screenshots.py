@@ -21,7 +21,7 @@ SCENES = Path(__file__).parent / "guide_scenes.py"
 PLUGIN = "muysc"
 #: Pictures by the language that QGIS is started in.
 PICTURES = {
-    "en": ("guide_desktop", "guide_dock", "guide_section", "guide_toolbox", "guide_dialog",
+    "en": ("guide_desktop", "guide_section", "guide_sites", "guide_toolbox", "guide_dialog",
            "guide_muogram", "guide_draped", "guide_model"),
     "es": ("guide_spanish",),
 }  # fmt: skip
