@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -51,7 +51,7 @@ class LocalFrame:
     latitude: float
     dem: Dem
 
-    @property
+    @cached_property
     def _geod(self) -> Geod:
         return _geod_of(self.dem.crs)
 
