@@ -108,30 +108,33 @@ class Staging:
         self._taken.add(target)
         return target
 
+    def give_up(self, temporary: Path) -> None:
+        """Leave a file out that could not be made."""
+        temporary.unlink(missing_ok=True)
+        self._moves = [move for move in self._moves if move[0] != temporary]
+
     def by_destination(self, text: str) -> str:
         """Return a text with destinations in place of their temporary names."""
         for temporary, target in self._moves:
             text = text.replace(str(temporary), str(target))
         return text
 
-    def _written(self) -> Iterator[tuple[Path, Path]]:
-        """Yield every temporary file that was written, and where it goes."""
-        for temporary, target in self._moves:
-            if temporary.parent in self._folders:
-                for file in sorted(temporary.parent.iterdir()):
-                    yield file, target.parent / file.name
-            elif temporary.exists():
-                yield temporary, target
-
     def commit(self) -> None:
-        """Move every file that was written to its destination.
+        """Move every file to its destination.
 
         Raises
         ------
         MuyscError
-            If a file cannot be moved; those not moved yet are removed.
+            If a file has vanished, when none is moved, or cannot be moved; those not moved
+            yet are removed.
         """
-        for temporary, target in self._written():
+        for temporary, target in self._moves:
+            if not temporary.exists():
+                raise MuyscError(
+                    f"{target} vanished while it was written; see that nothing else clears "
+                    f"{target.parent}."
+                )
+        for temporary, target in list(self._files()):
             try:
                 target.parent.mkdir(parents=True, exist_ok=True)
                 temporary.replace(target)
@@ -142,6 +145,15 @@ class Staging:
                     f"{target} cannot be written ({error.strerror}); close whatever holds it "
                     "open or choose another place."
                 ) from error
+
+    def _files(self) -> Iterator[tuple[Path, Path]]:
+        """Yield every temporary file and where it goes."""
+        for temporary, target in self._moves:
+            if temporary.parent not in self._folders:
+                yield temporary, target
+                continue
+            for file in sorted(temporary.parent.iterdir()):
+                yield file, target.parent / file.name
 
 
 def check_destination(target: Path, inputs: tuple[str, ...] = ()) -> None:

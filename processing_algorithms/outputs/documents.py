@@ -128,6 +128,8 @@ def stage_drawn(
         missing = error if isinstance(error, ImportError) else error.__cause__
         if not isinstance(missing, ImportError):
             raise
+        for temporary in staged.values():
+            staging.give_up(temporary)
         library = (missing.name or "").partition(".")[0]
         feedback.pushWarning(
             f"Panel and report need the Python library {library}, which is missing; everything "
