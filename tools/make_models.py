@@ -21,7 +21,7 @@ from qgis.core import (
     QgsProcessingModelParameter,
     QgsProcessingProvider,
 )
-from qgis.PyQt.QtCore import QPointF
+from qgis.PyQt.QtCore import QPointF, QSizeF
 
 if __package__:
     from .make_reference import ROOT, load_provider
@@ -36,6 +36,8 @@ GROUP = "Models"
 COLUMN, ROW = 240, 170
 #: The designer shows nothing left of or above its corner.
 LEFT, UP = 160, 90
+#: Width and height of an input, for a label of two lines.
+BOX = (205, 42)
 INPUTS_IN_A_ROW = 5
 
 
@@ -157,6 +159,7 @@ def build(model: Model, provider: QgsProcessingProvider) -> QgsProcessingModelAl
     for number, name in enumerate(names):
         step = next(one for one in model.steps if name in one.inputs)
         place = QgsProcessingModelParameter(name)
+        place.setSize(QSizeF(*BOX))
         place.setPosition(
             QPointF(
                 LEFT + number % INPUTS_IN_A_ROW * COLUMN,
