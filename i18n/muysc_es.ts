@@ -3042,6 +3042,210 @@ Píxeles desconocidos {unknown} de {pixels}</translation>
       <translation>{number} días</translation>
     </message>
     <message>
+      <source>Opacity</source>
+      <translation>Opacidad</translation>
+    </message>
+    <message>
+      <source>Minimum muon energy</source>
+      <translation>Energía mínima de los muones</translation>
+    </message>
+    <message>
+      <source>Open-sky muon flux</source>
+      <translation>Flujo de muones a cielo abierto</translation>
+    </message>
+    <message>
+      <source>Mean density</source>
+      <translation>Densidad media</translation>
+    </message>
+    <message>
+      <source>Distance to the first rock</source>
+      <translation>Distancia a la primera roca</translation>
+    </message>
+    <message>
+      <source>Error of the rock thickness</source>
+      <translation>Error del espesor de roca</translation>
+    </message>
+    <message>
+      <source>Error of the opacity</source>
+      <translation>Error de la opacidad</translation>
+    </message>
+    <message>
+      <source>Error of the muon flux</source>
+      <translation>Error del flujo de muones</translation>
+    </message>
+    <message>
+      <source>Error of the transmission</source>
+      <translation>Error de la transmisión</translation>
+    </message>
+    <message>
+      <source>Error of the muon counts</source>
+      <translation>Error de los conteos de muones</translation>
+    </message>
+    <message>
+      <source>Error of the mean density</source>
+      <translation>Error de la densidad media</translation>
+    </message>
+    <message>
+      <source>Lower end of the mean density</source>
+      <translation>Extremo inferior de la densidad media</translation>
+    </message>
+    <message>
+      <source>Upper end of the mean density</source>
+      <translation>Extremo superior de la densidad media</translation>
+    </message>
+    <message>
+      <source>Smallest muon flux</source>
+      <translation>Menor flujo de muones</translation>
+    </message>
+    <message>
+      <source>Largest muon flux</source>
+      <translation>Mayor flujo de muones</translation>
+    </message>
+    <message>
+      <source>Smallest mean density</source>
+      <translation>Menor densidad media</translation>
+    </message>
+    <message>
+      <source>Largest mean density</source>
+      <translation>Mayor densidad media</translation>
+    </message>
+    <message>
+      <source>Solid angle</source>
+      <translation>Ángulo sólido</translation>
+    </message>
+    <message>
+      <source>Detection area</source>
+      <translation>Área de detección</translation>
+    </message>
+    <message>
+      <source>Path between the planes</source>
+      <translation>Recorrido entre los planos</translation>
+    </message>
+    <message>
+      <source>Angular resolution</source>
+      <translation>Resolución angular</translation>
+    </message>
+    <message>
+      <source>Counting error</source>
+      <translation>Error de conteo</translation>
+    </message>
+    <message>
+      <source>Days to see the density contrast</source>
+      <translation>Días para ver el contraste de densidad</translation>
+    </message>
+    <message>
+      <source>Score of the site</source>
+      <translation>Puntuación del sitio</translation>
+    </message>
+    <message>
+      <source>Standard rock</source>
+      <translation>Roca estándar</translation>
+    </message>
+    <message>
+      <source>Water</source>
+      <translation>Agua</translation>
+    </message>
+    <message>
+      <source>Ice</source>
+      <translation>Hielo</translation>
+    </message>
+    <message>
+      <source>Limestone (calcite)</source>
+      <translation>Caliza (calcita)</translation>
+    </message>
+    <message>
+      <source>Dolomite</source>
+      <translation>Dolomita</translation>
+    </message>
+    <message>
+      <source>Quartzite and quartz sandstone</source>
+      <translation>Cuarcita y arenisca de cuarzo</translation>
+    </message>
+    <message>
+      <source>Granite</source>
+      <translation>Granito</translation>
+    </message>
+    <message>
+      <source>Granodiorite</source>
+      <translation>Granodiorita</translation>
+    </message>
+    <message>
+      <source>Diorite</source>
+      <translation>Diorita</translation>
+    </message>
+    <message>
+      <source>Andesite</source>
+      <translation>Andesita</translation>
+    </message>
+    <message>
+      <source>Basalt</source>
+      <translation>Basalto</translation>
+    </message>
+    <message>
+      <source>Gabbro</source>
+      <translation>Gabro</translation>
+    </message>
+    <message>
+      <source>Concrete (Portland)</source>
+      <translation>Hormigón (Portland)</translation>
+    </message>
+    <message>
+      <source>Gaisser</source>
+      <translation>Gaisser</translation>
+    </message>
+    <message>
+      <source>Gaisser–Tang</source>
+      <translation>Gaisser–Tang</translation>
+    </message>
+    <message>
+      <source>Bugaev</source>
+      <translation>Bugaev</translation>
+    </message>
+    <message>
+      <source>Reyna–Bugaev</source>
+      <translation>Reyna–Bugaev</translation>
+    </message>
+    <message>
+      <source>Reyna–Hebbeker</source>
+      <translation>Reyna–Hebbeker</translation>
+    </message>
+    <message>
+      <source>Guan et al.</source>
+      <translation>Guan et al.</translation>
+    </message>
+    <message>
+      <source>MuTe (2020)</source>
+      <translation>MuTe (2020)</translation>
+    </message>
+    <message>
+      <source>Gibert et al. (2010)</source>
+      <translation>Gibert et al. (2010)</translation>
+    </message>
+    <message>
+      <source>Carbone et al. (2014)</source>
+      <translation>Carbone et al. (2014)</translation>
+    </message>
+    <message>
+      <source>Lo Presti et al. (2020)</source>
+      <translation>Lo Presti et al. (2020)</translation>
+    </message>
+    <message>
+      <source>Lesparre et al. (2012)</source>
+      <translation>Lesparre et al. (2012)</translation>
+    </message>
+    <message>
+      <source>Lesparre et al. (2010)</source>
+      <translation>Lesparre et al. (2010)</translation>
+    </message>
+    <message>
+      <source>Uchida et al. (2009)</source>
+      <translation>Uchida et al. (2009)</translation>
+    </message>
+    <message>
+      <source>MURAVES (2017)</source>
+      <translation>MURAVES (2017)</translation>
+    </message>
+    <message>
       <source>Azimuth {angle}° {letters}</source>
       <translation type="vanished">Azimut {angle}° {letters}</translation>
     </message>

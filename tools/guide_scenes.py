@@ -250,10 +250,9 @@ def guide_model() -> None:
 
 
 def guide_spanish() -> None:
-    """Show the dialog in Spanish."""
-    shown = dialog()
-    save("guide_spanish", shown)
-    shown.close()
+    """Show the desktop in Spanish."""
+    plan()
+    save("guide_spanish", window())
 
 
 def main() -> None:

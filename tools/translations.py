@@ -14,9 +14,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
+from xml.etree import ElementTree
 
 from qgis.core import QgsApplication, QgsProcessingProvider
 
@@ -27,6 +28,13 @@ else:
 
 FOLDER = ROOT / "i18n"
 CONTEXT = "MUYSC"
+#: Modules and tables of what the dock shows by its title.
+TABLES = (
+    ("quantities", "QUANTITIES"),
+    ("radiography.materials", "MATERIALS"),
+    ("radiography.spectra", "MODELS"),
+    ("telescope.presets", "PRESETS"),
+)
 #: Programs of Qt 5 and Qt 6 that compile translations.
 COMPILERS = ("lrelease", "/usr/lib/qt6/bin/lrelease", "lrelease-qt6", "lrelease-qt5")
 
@@ -61,9 +69,21 @@ def texts_of_sources(folder: Path) -> Iterator[str]:
                     yield str(text.value)
 
 
+def texts_of_tables() -> Iterator[str]:
+    """Yield the names of what the dock lets one choose."""
+    library = f"{ALIAS}.muysc_qgis"
+    for module, table in TABLES:
+        entries = getattr(import_module(f"{library}.{module}"), table)
+        yield from (entry.title for entry in entries.values())
+
+
 def texts() -> list[str]:
     """Return every text once, in the order of the toolbox; needs QGIS in English."""
-    known = [*texts_of_provider(load_provider()), *texts_of_sources(ROOT / "muysc_qgis" / "gui")]
+    known = [
+        *texts_of_provider(load_provider()),
+        *texts_of_sources(ROOT / "muysc_qgis" / "gui"),
+        *texts_of_tables(),
+    ]
     return [text for text in dict.fromkeys(known) if text]
 
 
