@@ -15,9 +15,11 @@ import numpy as np
 
 from .. import __version__
 from ..errors import MuyscError
+from ..progress import Progress, silent
 
-#: What is computed for one item: anything that JSON can hold.
-Compute = Callable[[int], Any]
+#: What is computed for one item: anything that JSON can hold. It is told whom to tell the
+#: share of the item done.
+Compute = Callable[[int, Progress], Any]
 
 #: Name of the library, from which functions are found by name.
 _LIBRARY = __name__.rsplit(".", 2)[0]
@@ -106,7 +108,7 @@ class Job:
 def answer(compute: Compute, items: Sequence[int]) -> dict[str, Any]:
     """Return the results of items, or the sentence that says why there are none."""
     try:
-        return {"results": [compute(item) for item in items]}
+        return {"results": [compute(item, silent) for item in items]}
     except MuyscError as error:
         return {"error": str(error)}
 

@@ -117,8 +117,7 @@ def _compute_here(
     for block, items in blocks.items():
         results: list[Any] = []
         for item in items:
-            pace.pulse(len(results))
-            results.append(compute(item))
+            results.append(compute(item, pace.within(len(results))))
         yield block, results
 
 
@@ -134,9 +133,17 @@ class _Pace:
         if self._done_before > 0:
             say(f"{self._done_before} of {job.items} {job.called} were finished by an earlier run.")
 
-    def pulse(self, beyond: int = 0) -> None:
-        """Tell the share done, `beyond` items more than counted, and heed a stop."""
-        report(self._progress, min((self._items - self._left + beyond) / self._items, 1.0))
+    def pulse(self) -> None:
+        """Tell the share done, and heed a stop."""
+        report(self._progress, self._share(0.0))
+
+    def within(self, beyond: int) -> Progress:
+        """Return the progress of an item, `beyond` items after those that are counted."""
+        report(self._progress, self._share(beyond))
+        return lambda fraction: self._progress(self._share(beyond + fraction))
+
+    def _share(self, beyond: float) -> float:
+        return min((self._items - self._left + beyond) / self._items, 1.0)
 
     def count(self, items: int) -> None:
         """Count items as done."""

@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 
 from ..errors import MuyscError
+from ..progress import Progress, silent
 from ..radiography.counting import check_positive
 from ..survey.body import TargetBody, target_body
 from ..survey.held_dem import held_dem, hold
-from ..survey.job import Job
+from ..survey.job import Compute, Job
 from ..topography.dem import Dem
 from ..topography.frame import local_frame
 from ..topography.profiles import PATH_STEP_M
@@ -95,18 +96,34 @@ class Assessment:
 NUMBERS = tuple(field.name for field in fields(Assessment))
 
 
-def assess(plan: SurveyPlan, body: TargetBody, position: tuple[float, float]) -> Assessment:
+def assess(
+    plan: SurveyPlan,
+    body: TargetBody,
+    position: tuple[float, float],
+    progress: Progress = silent,
+) -> Assessment:
     """Return what a candidate at a position of the DEM's CRS is worth.
+
+    Parameters
+    ----------
+    plan, body
+        What is looked at, and what of it matters.
+    position
+        (x, y) in the DEM's CRS.
+    progress
+        Told the share done.
 
     Raises
     ------
     MuyscError
         If the candidate cannot be used.
+    Cancelled
+        If `progress` asks for a stop.
     """
     sight = take_sight(
         plan.dem, position, plan.target, plan.detector_height_m, plan.target_height_m
     )
-    simulation = plan.view.simulate(sight)
+    simulation = plan.view.simulate(sight, progress)
     thickness = simulation.muograms["thickness"]
     pixel = thickness.pixel_of(*body.seen_from(sight.frame, sight.detector_elevation_m))
     inside = pixel >= 0
@@ -168,7 +185,7 @@ def survey_job(plan: SurveyPlan, candidates: np.ndarray) -> Job:
     )
 
 
-def prepare(settings: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Any:
+def prepare(settings: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Compute:
     """Return what assesses a candidate by its number, from what `survey_job` gave away.
 
     It returns the numbers in the order of `NUMBERS`, or the sentence that says why the
@@ -181,10 +198,10 @@ def prepare(settings: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> An
     )
     body = TargetBody(*(arrays[f"{_BODY}{field.name}"] for field in fields(TargetBody)))
 
-    def compute(item: int) -> list[float] | str:
+    def compute(item: int, progress: Progress) -> list[float] | str:
         x, y = arrays[_CANDIDATES][item]
         try:
-            assessment = assess(plan, body, (float(x), float(y)))
+            assessment = assess(plan, body, (float(x), float(y)), progress)
         except MuyscError as error:
             return str(error)
         return [float(getattr(assessment, name)) for name in NUMBERS]

@@ -215,7 +215,7 @@ def prepare(settings: Mapping[str, Any], arrays: Mapping[str, Any]) -> Compute:
     dem, view = reopened_dem(settings["dem"]), ViewSettings.of(settings["view"])
     folder = Path(settings["folder"])
 
-    def compute(item: int) -> dict[str, Any]:
+    def compute(item: int, progress: Progress) -> dict[str, Any]:
         plain = settings["stations"][item]
         sight = take_sight(
             dem,
@@ -224,7 +224,7 @@ def prepare(settings: Mapping[str, Any], arrays: Mapping[str, Any]) -> Compute:
             plain["height_m"],
             plain["target_height_m"],
         )
-        simulation = view.simulate(sight)
+        simulation = view.simulate(sight, progress)
         for quantity in settings["quantities"]:
             write_muogram(simulation.muograms[quantity], _file(folder, item, quantity))
         return {

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from ..progress import Progress, silent
 from ..radiography.aperture import Aperture
 from ..radiography.settings import Physics
 from ..telescope.acceptance import trajectories
@@ -24,7 +25,7 @@ class ViewSettings:
     max_range_m: float | None = None
     near_field_m: float = 0.0
 
-    def simulate(self, sight: Sight) -> Simulation:
+    def simulate(self, sight: Sight, progress: Progress = silent) -> Simulation:
         """Simulate a radiography along a line of sight, see `simulate`."""
         return simulate(
             sight,
@@ -33,6 +34,7 @@ class ViewSettings:
             self.telescope,
             self.max_range_m,
             self.near_field_m,
+            progress,
         )
 
     def plain(self) -> dict[str, Any]:

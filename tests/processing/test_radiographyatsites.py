@@ -240,3 +240,10 @@ def test_worker_processes_change_nothing(run, survey, tmp_path):
         others, other_metadata = read(Path(together["FOLDER"]) / file.name)
         np.testing.assert_array_equal(others, values)
         assert other_metadata == metadata
+
+
+def test_a_single_site_tells_its_progress(run, survey, tmp_path, recorder):
+    feedback = recorder()
+    one = write_sites(tmp_path / "one.gpkg", PLACES[:1])
+    run("radiographyatsites", {**survey, "SITES": one}, feedback)
+    assert any(0 < percent < 80 for percent in feedback.percents)

@@ -6,6 +6,7 @@ from pyproj import Geod
 
 from muysc_qgis.errors import MuyscError
 from muysc_qgis.muogram import Muogram
+from muysc_qgis.progress import silent
 from muysc_qgis.radiography.aperture import Aperture
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.survey.body import target_body
@@ -95,7 +96,9 @@ def test_jobs_give_what_assessing_gives(plan, places):
     compute = survey_job(survey, places(3)).prepared()
     for item, place in enumerate(places(3)):
         found = assess(survey, survey.body(), tuple(place))
-        np.testing.assert_array_equal(compute(item), [getattr(found, name) for name in NUMBERS])
+        np.testing.assert_array_equal(
+            compute(item, silent), [getattr(found, name) for name in NUMBERS]
+        )
 
 
 def test_only_the_terrain_within_the_range_is_held(plan, places):
@@ -181,5 +184,5 @@ def write_flat(tmp_path):
 
 def test_a_candidate_that_cannot_be_used_is_a_sentence(plan):
     compute = survey_job(plan(), np.array([[14.424745, 40.823729], [14.4, 40.81]])).prepared()
-    assert "same point" in compute(0)
-    assert isinstance(compute(1), list)
+    assert "same point" in compute(0, silent)
+    assert isinstance(compute(1, silent), list)

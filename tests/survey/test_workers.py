@@ -120,11 +120,11 @@ def test_workers_that_cannot_begin_say_why(job, alone, tmp_path, monkeypatch):
 
 
 def test_an_item_that_cannot_be_computed_is_answered_with_its_sentence():
-    def compute(item):
+    def compute(item, progress):
         raise MuyscError(f"Item {item} is impossible.")
 
     assert answer(compute, [7, 8]) == {"error": "Item 7 is impossible."}
-    assert answer(str, [7, 8]) == {"results": ["7", "8"]}
+    assert answer(lambda item, progress: item + 1, [7, 8]) == {"results": [8, 9]}
 
 
 def test_the_python_of_this_process_is_found_when_qgis_is_the_program(monkeypatch, tmp_path):
