@@ -18,10 +18,11 @@ class QgisProcess:
     """Runs qgis_process with the plugin enabled."""
 
     environment: dict
+    command: str = COMMAND
 
     def __call__(self, *arguments):
         return subprocess.run(
-            [COMMAND, *map(str, arguments)],
+            [self.command, *map(str, arguments)],
             env=self.environment,
             capture_output=True,
             text=True,

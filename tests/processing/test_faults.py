@@ -104,18 +104,17 @@ def test_a_folder_that_vanishes_midway(fails, recorder, tmp_path, percent):
 
 
 def test_layers_appear_with_the_other_files_only(run, vesuvius, tmp_path, recorder):
+    seen = set()
+
     class Observer(recorder):
-        seen = set()
-
         def note(self, now):
-            self.seen |= {path.name for path in tmp_path.iterdir()}
+            seen.update(path.name for path in tmp_path.iterdir())
 
-    observer = Observer()
     run("radiography", {
         **vesuvius, "THICKNESS": str(tmp_path / "t.tif"), "FLUX": str(tmp_path / "f.tif"),
         "FIELD_OF_VIEW": str(tmp_path / "view.shp"),
-    }, observer)  # fmt: skip
-    assert all(name.startswith(".") for name in observer.seen)
+    }, Observer())  # fmt: skip
+    assert all(name.startswith(".") for name in seen)
     names = {path.name for path in tmp_path.iterdir()}
     assert {"t.tif", "f.tif", "view.shp", "view.shx", "view.dbf", "view.prj"} <= names
     layer = ogr.Open(str(tmp_path / "view.shp"))
