@@ -11,6 +11,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import processing
+from muysc.muysc_qgis.gui.compat import QAction
 from muysc.processing_algorithms.outputs.styles import FootprintOnLoad
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -21,7 +22,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QAction, QApplication, QDockWidget, QTreeView, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QTreeView, QWidget
 from qgis.utils import iface, plugins
 
 sys.path.insert(0, os.environ["MUYSC_TOOLS"])
