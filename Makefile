@@ -14,7 +14,7 @@ unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint qgis bench reference models translations screenshots validation experiments matrix package clean packages development-packages
+.PHONY: help demo test lint qgis bench reference models translations screenshots validation experiments matrix package clean packages development-packages document-packages
 
 help: ## Show this list
 	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/^([a-z]+):.*## /\1\t/' \
@@ -45,10 +45,10 @@ reference: packages ## Write docs/algorithms.md and docs/reference from what the
 models: packages ## Write the models that come with the provider
 	@$(PYTHON) tools/make_models.py
 
-translations: development-packages ## Gather what is to be translated, and compile i18n
+translations: document-packages ## Gather what is to be translated, and compile i18n
 	@$(PYTHON) tools/translations.py
 
-screenshots: development-packages ## Take the pictures of the user guide, into docs/images
+screenshots: document-packages ## Take the pictures of the user guide, into docs/images
 	@$(PYTHON) tools/screenshots.py
 
 validation: .venv/ready ## Compare our numbers with others', into build/validation and docs
@@ -61,7 +61,7 @@ matrix: ## Run the tests on QGIS 3.22, 3.40 and 3.44 (ARGS="--only sid", or for 
 	@$(PYTHON) tools/matrix.py $(ARGS)
 
 package: ## Pack the last commit as a zip that QGIS installs, into build
-	@tools/package
+	@$(PYTHON) tools/package.py
 
 clean: ## Remove everything made here, .venv too
 	@rm -rf build .venv .pytest_cache .mypy_cache .ruff_cache
@@ -72,6 +72,9 @@ packages:
 
 development-packages:
 	@tools/debian_packages develop
+
+document-packages:
+	@tools/debian_packages document
 
 .venv/ready: tools/requirements.txt tools/development_tools | development-packages
 	@tools/development_tools
