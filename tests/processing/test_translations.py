@@ -28,9 +28,9 @@ import importlib.util, json, os, sys
 from qgis.core import QgsApplication, QgsSettings
 root, profile, language = sys.argv[1:]
 application = QgsApplication([], False, profile)
+application.initQgis()
 QgsSettings().setValue("locale/userLocale", language)
 QgsSettings().setValue("locale/overrideFlag", True)
-application.initQgis()
 spec = importlib.util.spec_from_file_location(
     "any_name", root + "/__init__.py", submodule_search_locations=[root]
 )
