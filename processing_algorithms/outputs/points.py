@@ -20,6 +20,7 @@ from qgis.core import (
 from ...muysc_qgis.staging import Staging
 from ..compat import POINT, POINT_Z, field
 from .layers import write_layer
+from .styles import SitesOnLoad
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,7 @@ def write_points(
     context: QgsProcessingContext,
     staging: Staging,
     has_heights: bool = False,
+    sites: str | None = None,
 ) -> dict[str, str]:
     """Write a layer if it is wanted; called last, see `write_layer`.
 
@@ -58,6 +60,8 @@ def write_points(
         Of the positions.
     has_heights
         Whether the points have heights.
+    sites
+        Kind of site that they are, see `SitesOnLoad`, None for other points.
 
     Returns
     -------
@@ -77,7 +81,11 @@ def write_points(
     kind = POINT_Z if has_heights else POINT
     features = (_feature(point, fields) for point in points)
     write = (features, parameters, context, staging)
-    return {output: write_layer(algorithm, output, fields, kind, crs, *write)}
+    identifier = write_layer(algorithm, output, fields, kind, crs, *write)
+    if sites is not None and context.willLoadLayerOnCompletion(identifier):
+        details = context.layerToLoadOnCompletionDetails(identifier)
+        details.setPostProcessor(SitesOnLoad(sites))
+    return {output: identifier}
 
 
 def _feature(point: Point, fields: QgsFields) -> QgsFeature:

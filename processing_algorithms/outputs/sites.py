@@ -149,4 +149,5 @@ def write_index(
         )
         for station in stations
     ]
-    return write_points(algorithm, INDEX, kinds, points, crs, parameters, context, staging)
+    write = (crs, parameters, context, staging)
+    return write_points(algorithm, INDEX, kinds, points, *write, sites="site")

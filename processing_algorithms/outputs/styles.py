@@ -13,12 +13,18 @@ from qgis.core import (
     QgsColorRampShader,
     QgsFillSymbol,
     QgsMapLayer,
+    QgsMarkerSymbol,
+    QgsPalLayerSettings,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
     QgsRasterShader,
     QgsRendererCategory,
     QgsSingleBandPseudoColorRenderer,
+    QgsSingleSymbolRenderer,
+    QgsTextBufferSettings,
+    QgsTextFormat,
+    QgsVectorLayerSimpleLabeling,
 )
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument, QDomElement
@@ -189,3 +195,31 @@ class FootprintOnLoad(_OnLoad):
                 ],
             )
         )
+
+
+class SitesOnLoad(_OnLoad):
+    """Marks sites as the pictures of a survey do, each with its name."""
+
+    #: Properties of the marker by kind of site.
+    _MARKERS = {  # noqa: RUF012 - never changed
+        "site": {"name": "circle", "color": "255,255,255", "size": "3"},
+        "telescope": {
+            "name": "triangle", "color": "0,114,178", "outline_color": "255,255,255", "size": "4.5",
+        },
+    }  # fmt: skip
+
+    def __init__(self, kind: str) -> None:
+        super().__init__()
+        self.kind = kind
+
+    def apply(self, layer: QgsMapLayer) -> None:
+        marker = QgsMarkerSymbol.createSimple(self._MARKERS[self.kind])
+        layer.setRenderer(QgsSingleSymbolRenderer(marker))
+        names = QgsPalLayerSettings()
+        names.fieldName = "site"
+        text, halo = QgsTextFormat(), QgsTextBufferSettings()
+        halo.setEnabled(True)
+        text.setBuffer(halo)
+        names.setFormat(text)
+        layer.setLabeling(QgsVectorLayerSimpleLabeling(names))
+        layer.setLabelsEnabled(True)

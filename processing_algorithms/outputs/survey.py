@@ -168,6 +168,13 @@ def write_sites(
     )
     write = (crs, parameters, context, staging)
     return {
-        **write_points(algorithm, BEST_SITES, kinds, best, *write),
-        **write_points(algorithm, TELESCOPE_SITES, {**kinds, "coverage": float}, together, *write),
+        **write_points(algorithm, BEST_SITES, kinds, best, *write, sites="site"),
+        **write_points(
+            algorithm,
+            TELESCOPE_SITES,
+            {**kinds, "coverage": float},
+            together,
+            *write,
+            sites="telescope",
+        ),
     }

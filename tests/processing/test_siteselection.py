@@ -249,3 +249,34 @@ def test_metadata_and_help(provider):
     assert algorithm.group() == "Survey"
     for definition in algorithm.parameterDefinitions():
         assert definition.help(), definition.name()
+
+
+def test_sites_arrive_marked_and_named_in_a_project(provider, everything, recorder):
+    """What the desktop does: run with a project, then post-process the loaded layers."""
+    from qgis.core import (
+        QgsProcessingContext,
+        QgsProcessingOutputLayerDefinition,
+        QgsProcessingUtils,
+        QgsProject,
+    )
+
+    project, context, feedback = QgsProject(), QgsProcessingContext(), recorder()
+    context.setProject(project)
+    names = ("SCORE", "BEST_SITES", "TELESCOPE_SITES")
+    wanted = {name: QgsProcessingOutputLayerDefinition(everything[name], project) for name in names}
+    algorithm = provider.algorithm("siteselection").create()
+    _, done = algorithm.run({**everything, **wanted, "SPACING": 700}, context, feedback)
+    assert done
+    looks = {}
+    for identifier, details in context.layersToLoadOnCompletion().items():
+        layer = QgsProcessingUtils.mapLayerFromString(identifier, context)
+        details.postProcessor().postProcessLayer(layer, context, feedback)
+        looks[details.outputName] = layer.renderer().type()
+        if details.outputName != "SCORE":
+            assert layer.labelsEnabled()
+            assert layer.labeling().settings().fieldName == "site"
+    assert looks == {
+        "SCORE": "singlebandpseudocolor",
+        "BEST_SITES": "singleSymbol",
+        "TELESCOPE_SITES": "singleSymbol",
+    }
