@@ -23,11 +23,12 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "build" / "matrix"
 TABLE = FOLDER / "table.md"
-#: Within a system: the checkout, its Python with the development tools, and what a run writes.
-CHECKOUT = Path("root/muysc")
-PYTHON = Path("root/venv/bin/python")
-REPORT = Path("root/report.xml")
-VERSIONS = Path("root/versions.json")
+#: Within a system: the checkout, a Python with the development tools, and what a run writes.
+CHECKOUT = Path("/root/muysc")
+VENV = Path("/root/venv")
+PYTHON = VENV / "bin" / "python"
+VERSIONS = Path("/root/versions.json")
+REPORT = Path("/root/report.xml")
 #: How this machine reaches a network, wanted in the systems too.
 NETWORK_FILES = (Path("/etc/hosts"), Path("/etc/resolv.conf"))
 NETWORK_VARIABLES = ("http_proxy", "https_proxy", "no_proxy", "PIP_INDEX_URL")
@@ -69,6 +70,10 @@ class System:
     def folder(self) -> Path:
         """Where the system's root is."""
         return FOLDER / self.name
+
+    def outside(self, path: Path) -> Path:
+        """Return where a path within the system is for this machine."""
+        return self.folder / path.relative_to("/")
 
     @property
     def log(self) -> Path:
@@ -142,7 +147,7 @@ def inside(system: System, *command: str | Path) -> int:
     enter = [
         *("unshare", "--fork", "--pid", "--kill-child"),
         *("--mount", f"--mount-proc={system.folder / 'proc'}"),
-        *("chroot", str(system.folder), "env", f"--chdir=/{CHECKOUT}"),
+        *("chroot", str(system.folder), "env", f"--chdir={CHECKOUT}"),
     ]
     environment = {
         **{name: os.environ[name] for name in NETWORK_VARIABLES if name in os.environ},
@@ -169,10 +174,9 @@ def make_system(system: System) -> None:
 
 def configure(system: System) -> None:
     """Tell a system where packages come from, and give it this machine's network."""
-    settings = system.folder / "etc"
     for file in NETWORK_FILES:
-        shutil.copy(file, settings)
-    apt = settings / "apt"
+        shutil.copy(file, system.outside(file))
+    apt = system.folder / "etc" / "apt"
     (apt / "apt.conf.d" / "matrix").write_text(APT, encoding="utf-8")
     suites = [system.suite, *filter(None, [system.newer_qgis])]
     lines = [f"deb {mirror()} {suite} main\n" for suite in suites]
@@ -184,7 +188,7 @@ def configure(system: System) -> None:
 
 def check_out(system: System) -> None:
     """Put the last commit into a system."""
-    checkout = system.folder / CHECKOUT
+    checkout = system.outside(CHECKOUT)
     shutil.rmtree(checkout, ignore_errors=True)
     command = ["git", "clone", "--quiet", str(ROOT), str(checkout)]
     need(execute(command, system.log), "git clone", system.log)
@@ -193,13 +197,14 @@ def check_out(system: System) -> None:
 def install(system: System) -> list[str]:
     """Install what the tests need, and return the development tools that cannot be had."""
     need(inside(system, "tools/debian_packages", "develop"), "Installing packages", system.log)
-    shutil.copy(AUTHORITIES, system.folder / AUTHORITIES.relative_to("/"))
-    if not (system.folder / PYTHON).exists():
-        make = ("/usr/bin/python3", "-m", "venv", "--system-site-packages", PYTHON.parent.parent)
-        need(inside(system, *make[:-1], f"/{make[-1]}"), "Making a virtual environment", system.log)
+    # The system's own authorities may not know those of a local network.
+    if AUTHORITIES.exists():
+        shutil.copy(AUTHORITIES, system.outside(AUTHORITIES))
+    make = ("/usr/bin/python3", "-m", "venv", "--system-site-packages", VENV)
+    need(inside(system, *make), "Making a virtual environment", system.log)
     lines = (ROOT / "tools" / "requirements.txt").read_text(encoding="utf-8").splitlines()
     tools = [line for line in lines if line and not line.startswith("#")]
-    pip = (f"/{PYTHON}", "-m", "pip", "install", "--quiet", "--only-binary", ":all:")
+    pip = (PYTHON, "-m", "pip", "install", "--quiet", "--only-binary", ":all:")
     return [tool for tool in tools if inside(system, *pip, tool) != 0]
 
 
@@ -229,27 +234,27 @@ def test(system: System, pytest_arguments: list[str]) -> Result:
     check_out(system)
     print("  installing what is missing …", flush=True)
     remarks = [f"{tool} cannot be installed here." for tool in install(system)]
-    versions = system.folder / VERSIONS
-    ask = (f"/{PYTHON}", "-c", _WRITE_VERSIONS, f"/{VERSIONS}")
-    need(inside(system, *ask), "Asking for versions", system.log)
+    ask = inside(system, PYTHON, "-c", _WRITE_VERSIONS, VERSIONS)
+    need(ask, "Asking for versions", system.log)
+    versions = json.loads(system.outside(VERSIONS).read_text(encoding="utf-8"))
     print(f"  running the tests, told in {system.log.relative_to(ROOT)} …", flush=True)
-    report = system.folder / REPORT
+    report = system.outside(REPORT)
     report.unlink(missing_ok=True)
-    run = (f"/{PYTHON}", "-m", "pytest", f"--junit-xml=/{REPORT}", *pytest_arguments)
-    code = inside(system, *run)
-    need(0 if report.exists() else code, "pytest", system.log)
+    code = inside(system, PYTHON, "-m", "pytest", f"--junit-xml={REPORT}", *pytest_arguments)
+    if not report.exists():
+        raise MatrixError(f"pytest ended with {code} and no report; see {system.log}.")
     counts, failed = results_of(report)
     print("  " + ", ".join(f"{count} {what}" for what, count in counts.items()), flush=True)
     return Result(
         system.name,
-        {**json.loads(versions.read_text(encoding="utf-8")), **counts},
+        {**versions, **counts},
         [*remarks, *(f"{name} failed." for name in failed)],
     )
 
 
 def table_of(results: list[Result]) -> str:
     """Return the results as a table with remarks below, in Markdown."""
-    columns = list(results[0].columns) if results else []
+    columns = list(results[0].columns)
     rows = [
         ["System", *columns],
         ["---"] * (len(columns) + 1),
@@ -277,6 +282,8 @@ def main(arguments: list[str]) -> int:
                 # The other systems have their say all the same.
                 print(f"  {error}", flush=True)
                 complete = False
+    if not results:
+        return 1
     table = table_of(results)
     TABLE.write_text(table, encoding="utf-8")
     print(f"\n{table}\nWritten to {TABLE.relative_to(ROOT)}.")
