@@ -3,6 +3,7 @@
 import json
 import os
 import signal
+import subprocess
 import sys
 import time
 from dataclasses import replace
@@ -218,3 +219,42 @@ def test_blocks_come_once_each(job, tmp_path):
     got = [block for block, _ in compute_locally(folder, wanted, 2, lambda: None)]
     assert sorted(got) == list(wanted)
     assert len(wanted) == 3
+
+
+_SURVEY = """
+import sys
+from dataclasses import replace
+from pathlib import Path
+from muysc_qgis.survey.job import Job
+from muysc_qgis.survey.run import run_job
+job = replace(Job.load(Path(sys.argv[1])), block_items=2)
+run_job(job, Path(sys.argv[2]), workers=2)
+"""
+
+
+def test_a_survey_that_is_killed_takes_its_workers_along_and_goes_on(job, alone, tmp_path):
+    saved, folder = tmp_path / "job", tmp_path / "x.partial"
+    saved.mkdir()
+    job.save(saved)
+    root = Path(__file__).resolve().parent.parent.parent
+    command = [sys.executable, "-c", _SURVEY, str(saved), str(folder)]
+    with subprocess.Popen(command, cwd=root) as survey:
+        until(lambda: list(folder.glob("block_*.json")))
+        workers = [
+            int(child)
+            for child in Path(f"/proc/{survey.pid}/task/{survey.pid}/children").read_text().split()
+        ]
+        survey.kill()
+    assert len(workers) == 2
+    until(lambda: not any(map(alive, workers)))
+    said = []
+    results = run_job(replace(job, block_items=2), folder, workers=0, say=said.append)
+    np.testing.assert_array_equal(results, alone)
+    assert "were finished by an earlier run" in said[0]
+
+
+def until(ready):
+    begun = time.monotonic()
+    while not ready():
+        assert time.monotonic() - begun < 60, "it does not come to pass"
+        time.sleep(0.02)
