@@ -31,8 +31,12 @@ ROOMS = {
 USES_QGIS = ("plugin.py", "translation.py")
 #: What every room may import of the project itself.
 _COMMON = {"errors", "progress", "quantities", "__version__"}
+#: Beside the rooms: the forms of data, and their files.
+_DATA = {"muogram", "trajectories", "views", "volume", "tables"}
+_COMPUTING = {"radiography", "telescope", "topography", "survey", "measurement", "tomography"}
 #: And what these may: rock and muons know no terrain, no file and no picture; terrain,
-#: telescopes and measurements know neither each other nor a picture.
+#: telescopes and measurements know neither each other nor a picture; only the desktop
+#: knows the desktop.
 NEIGHBOURS = {
     "muysc_qgis/radiography": _COMMON | {"radiography"},
     "muysc_qgis/telescope": _COMMON | {"telescope", "radiography"},
@@ -40,6 +44,8 @@ NEIGHBOURS = {
     "muysc_qgis/survey": _COMMON | {"survey", "topography"},
     "muysc_qgis/measurement": _COMMON | {"measurement", "radiography", "muogram"},
     "muysc_qgis/tomography": _COMMON | {"tomography"},
+    "muysc_qgis/workflows": _COMMON | _DATA | _COMPUTING | {"workflows"},
+    "muysc_qgis/plots": _COMMON | _DATA | _COMPUTING | {"workflows", "plots"},
 }
 #: The only libraries that loading the plugin may load.
 LIGHT = {"numpy"}
