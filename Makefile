@@ -14,7 +14,7 @@ unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint qgis bench reference models translations screenshots validation experiments matrix package clean packages development-packages document-packages
+.PHONY: help demo test lint audit fuzz soak qgis bench reference models translations screenshots validation experiments matrix package clean packages development-packages document-packages
 
 help: ## Show this list
 	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/^([a-z]+):.*## /\1\t/' \
@@ -30,6 +30,18 @@ lint: .venv/ready ## Check style and types
 	@$(VENV_PYTHON) -m ruff check
 	@$(VENV_PYTHON) -m ruff format --check
 	@$(VENV_PYTHON) -m mypy muysc_qgis
+
+audit: .venv/ready ## Look for insecure code in what ships, and for secrets in all of it
+	@$(VENV_PYTHON) -m bandit --quiet --recursive muysc_qgis processing_algorithms __init__.py
+	@git ls-files -z '*.py' '*.md' '*.html' '*.toml' '*.txt' '*.model3' Makefile .ci \
+		| xargs -0 $(VENV_PYTHON) -m detect_secrets.pre_commit_hook --no-verify
+
+fuzz: .venv/ready ## Try hostile parameters and files (FUZZ_SECONDS=300, FUZZ_SEED=1)
+	@FUZZ_SECONDS=$${FUZZ_SECONDS:-300} FUZZ_SEED=$${FUZZ_SEED:-1} \
+		$(VENV_PYTHON) -m pytest --capture=no tests/fuzz $(ARGS)
+
+soak: packages ## Run a thousand radiographies in one process and watch its memory
+	@$(PYTHON) tools/soak.py
 
 qgis: packages ## Open QGIS with the plugin and Vesuvius, in a profile of its own
 	@tools/desktop

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-import subprocess
+import subprocess  # nosec B404
 import sys
 from collections.abc import Mapping
 from typing import Any
@@ -39,4 +39,5 @@ def command_line(algorithm: str, parameters: Mapping[str, Any]) -> str:
     values = {**parameters, **_OUTPUTS[algorithm]}
     options = [f"--{name}={value}" for name, value in values.items() if value is not None]
     line = ["qgis_process", "run", algorithm, *options]
+    # Nothing is run: only the quoting of Windows is taken from there.
     return subprocess.list2cmdline(line) if sys.platform == "win32" else shlex.join(line)

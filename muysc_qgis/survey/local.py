@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import queue
-import subprocess  # nosec B404 - starts this library and nothing else
+import subprocess  # nosec B404
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -192,7 +192,8 @@ def _start(folder: Path, number: int) -> subprocess.Popen[str]:
     environment["PYTHONIOENCODING"] = "utf-8"
     environment.update(dict.fromkeys(_ONE_THREAD, "1"))
     with (folder / f"worker_{number}.log").open("w", encoding="utf-8") as log:
-        return subprocess.Popen(  # noqa: S603  # nosec B603 - no word of it comes from a user
+        # No word of it comes from a user.
+        return subprocess.Popen(  # noqa: S603  # nosec B603
             [program, "-m", _MODULE, str(folder)],
             cwd=_ROOT,
             env=environment,

@@ -1,0 +1,77 @@
+"""Run many radiographies in one process, and see whether it keeps its memory.
+
+Needs QGIS; run as ``make soak``. The number of runs may be given.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+if __package__:
+    from .fuzzing.worker import Runner, load_plugin, start_qgis
+else:
+    from fuzzing.worker import Runner, load_plugin, start_qgis
+
+ROOT = Path(__file__).resolve().parent.parent
+RUNS = 1000
+#: Runs until everything that is loaded once is loaded.
+WARM = 100
+#: What may be added (MiB) from then on, by fragments of memory for one.
+ALLOWED_MIB = 20
+
+
+def resident_mib() -> float:
+    """Return the memory of this process."""
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+def main() -> int:
+    """Return 1 if memory grows."""
+    runs = int(sys.argv[1]) if len(sys.argv) > 1 else RUNS
+    with tempfile.TemporaryDirectory() as folder:
+        application = start_qgis(Path(folder))
+        runner = Runner(load_plugin().provider)
+        case = {
+            "algorithm": "radiography",
+            "patience_s": 600,
+            "parameters": {
+                "DEM": str(ROOT / "tests" / "data" / "vesuvius_srtmgl1.tif"),
+                "DETECTOR": "14.410686,40.810561 [EPSG:4326]",
+                "TARGET": "14.424745,40.823729 [EPSG:4326]",
+                "AZIMUTH_PIXELS": 20,
+                "ELEVATION_PIXELS": 20,
+                "THICKNESS": f"{folder}/thickness.tif",
+                "FLUX": f"{folder}/flux.tif",
+                "FIELD_OF_VIEW": f"{folder}/view.gpkg",
+            },
+        }
+        start, warm = time.monotonic(), 0.0
+        for number in range(1, runs + 1):
+            # A report now and then: drawing is what leaks most easily.
+            case["parameters"].pop("REPORT", None)
+            if number % 20 == 0:
+                case["parameters"]["REPORT"] = f"{folder}/report.html"
+            told = runner.run(case)
+            if told["end"] != "done":
+                print(told["sentence"])
+                return 1
+            if number == min(WARM, runs):
+                warm = resident_mib()
+            if number % 100 == 0:
+                seconds = (time.monotonic() - start) / number
+                print(f"{number:5} runs, {seconds:.3f} s each, {resident_mib():.0f} MiB")
+        grown = resident_mib() - warm
+        del application
+    print(f"{grown:+.1f} MiB since run {min(WARM, runs)}; {ALLOWED_MIB} MiB are allowed.")
+    # What QGIS tears down at the end is no part of this.
+    sys.stdout.flush()
+    os._exit(int(grown > ALLOWED_MIB))
+
+
+if __name__ == "__main__":
+    main()
