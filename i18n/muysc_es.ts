@@ -3245,33 +3245,5 @@ Píxeles desconocidos {unknown} de {pixels}</translation>
       <source>MURAVES (2017)</source>
       <translation>MURAVES (2017)</translation>
     </message>
-    <message>
-      <source>Azimuth {angle}° {letters}</source>
-      <translation type="vanished">Azimut {angle}° {letters}</translation>
-    </message>
-    <message>
-      <source>Give the standard error of opacities in % where there are no rasters of errors, 0 or more. 0 stands for unknown: then all rays count the same, no method stops at the errors, and bayes cannot be used.</source>
-      <translation type="vanished">Indique el error estándar de las opacidades en % donde no hay rásteres de errores, 0 o más. 0 significa desconocido: entonces todos los rayos cuentan igual, ningún método se detiene en los errores y no se puede usar bayes.</translation>
-    </message>
-    <message>
-      <source>Median days until a pixel behind which the target body lies has the muons wanted. A GeoTIFF on the map with a cell for each candidate.</source>
-      <translation type="vanished">Mediana de los días hasta que un píxel detrás del cual está el cuerpo objetivo tiene los muones deseados. GeoTIFF en el mapa con una celda por candidato.</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;What it does.&lt;/b&gt; Each pixel is a straight ray. Its lengths in the voxels are exact, cut off where the terrain begins and ends, with the Earth's curvature and the true north and scale of the projection. Voxels of air are no unknowns. Rock on the ray outside the volume is taken off at the reference density. Then the method finds the densities whose integrals along the rays are the opacities.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Qué hace.&lt;/b&gt; Cada píxel es un rayo recto. Sus longitudes en los vóxeles son exactas, cortadas donde el terreno comienza y termina, con la curvatura de la Tierra y el norte y la escala verdaderos de la proyección. Los vóxeles de aire no son incógnitas. La roca del rayo fuera del volumen se descuenta con la densidad de referencia. Luego el método busca las densidades cuyas integrales a lo largo de los rayos son las opacidades.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>Azimuth {azimuth}° {letters}, elevation {elevation}°, zenith {zenith}°</source>
-      <translation type="vanished">Azimut {azimuth}° {letters}, elevación {elevation}°, cenit {zenith}°</translation>
-    </message>
-    <message>
-      <source>Rock of unknown thickness</source>
-      <translation type="vanished">Roca de espesor desconocido</translation>
-    </message>
-    <message>
-      <source>Rock {thickness}, opacity {opacity}</source>
-      <translation type="vanished">Roca {thickness}, opacidad {opacity}</translation>
-    </message>
   </context>
 </TS>

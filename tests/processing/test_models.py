@@ -51,7 +51,7 @@ def test_an_exposure_plan_counts_as_long_as_it_is_told(run, place, tmp_path):
             "telescope:DENSITY_RESOLUTION.tif", "telescope:TABLE.csv", "exposure:OUTPUT.tif",
             "contrast:OUTPUT.tif",
         )  # fmt: skip
-        results = run("exposureplan", {**place, "DAYS": days, "PRESET": "muraves", **outputs})
+        results = run("exposureplan", {**place, "DAYS": days, "PRESET": "lesparre2010", **outputs})
         assert {name: results[name] for name in outputs} == outputs
         counts[days] = pixels(outputs["telescope:COUNTS"])
     assert counts[20] == pytest.approx(2 * counts[10], rel=1e-5, nan_ok=True)
