@@ -226,10 +226,27 @@ def _filled(
         per_unit = thickness * G_CM2_PER_M_WATER_EQUIVALENT
     elif view.quantity == "density":
         per_unit = thickness * G_CM2_PER_M_WATER_EQUIVALENT
+        spread = None if spread is None else _errors_of_pixels(one, values, spread)
     # In the sky, a density is not known and an opacity is.
     opacity = np.where(thickness == 0, 0.0, values * per_unit)
     error = None if spread is None else spread * per_unit
     return replace(station, opacity=opacity, error=error, lost=lost), warnings
+
+
+def _errors_of_pixels(one: NamedView, values: np.ndarray, errors: np.ndarray) -> np.ndarray:
+    """Return errors with which the pixels of a region together weigh as much as it.
+
+    Pixels merged up to a count all carry density and error of their region: n of them, with
+    √n times the error, hold what was measured once.
+    """
+    if "MINIMUM_COUNTS" not in one.view.metadata or one.number("MINIMUM_COUNTS") <= 0:
+        return errors
+    known = np.isfinite(values) & np.isfinite(errors)
+    pairs = np.stack([values[known], errors[known]], axis=1)
+    _, region, pixels = np.unique(pairs, axis=0, return_inverse=True, return_counts=True)
+    widened = errors.copy()
+    widened[known] *= np.sqrt(pixels[region.ravel()])
+    return widened
 
 
 def _inverted(
