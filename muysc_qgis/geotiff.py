@@ -8,7 +8,7 @@ import traceback
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
-from .errors import MuyscError
+from .errors import MuyscError, detail_of
 
 Writer = TypeVar("Writer", bound=Callable[..., Any])
 
@@ -33,7 +33,7 @@ def raster_writer(function: Writer) -> Writer:
         except RuntimeError as error:
             _let_go(error)
             path = signature.bind(*arguments, **options).arguments["path"]
-            detail = str(error).strip().rstrip(".")
+            detail = detail_of(error)
             raise MuyscError(
                 f"The raster {path} cannot be written ({detail}); make room on the disk or choose "
                 "another place."

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from . import __version__
-from .errors import MuyscError
+from .errors import MuyscError, detail_of
 from .geotiff import raster_writer
 from .quantities import QUANTITIES, Quantity
 
@@ -269,7 +269,7 @@ def read_grid(path: str | Path) -> Grid:
     try:
         dataset = gdal.Open(str(path))
     except RuntimeError as error:
-        raise MuyscError(f"The muogram {path} cannot be opened: {error}.") from error
+        raise MuyscError(f"The muogram {path} cannot be opened: {detail_of(error)}.") from error
     metadata = dict(dataset.GetMetadata(DOMAIN))
     quantity = metadata.pop("QUANTITY", None)
     metadata.pop("UNIT", None)
@@ -294,7 +294,7 @@ def read_grid(path: str | Path) -> Grid:
     try:
         values = band.ReadAsArray().astype(float)
     except RuntimeError as error:
-        raise MuyscError(f"The muogram {path} cannot be read: {error}.") from error
+        raise MuyscError(f"The muogram {path} cannot be read: {detail_of(error)}.") from error
     no_data = band.GetNoDataValue()
     if no_data is not None and not np.isnan(no_data):
         values[values == no_data] = np.nan

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from . import __version__
-from .errors import MuyscError
+from .errors import MuyscError, detail_of
 from .geotiff import raster_writer
 from .muogram import DOMAIN, as_text
 from .quantities import Quantity
@@ -148,7 +148,7 @@ def read_volume(path: str | Path) -> Volume:
     try:
         dataset = gdal.Open(str(path))
     except RuntimeError as error:
-        raise MuyscError(f"The volume {path} cannot be opened: {error}.") from error
+        raise MuyscError(f"The volume {path} cannot be opened: {detail_of(error)}.") from error
     metadata = dict(dataset.GetMetadata(DOMAIN))
     quantity = metadata.get("QUANTITY", "")
     try:
@@ -172,7 +172,7 @@ def read_volume(path: str | Path) -> Volume:
         for level in range(slices):
             values[:, :, level] = dataset.GetRasterBand(level + 1).ReadAsArray()[::-1].T
     except RuntimeError as error:
-        raise MuyscError(f"The volume {path} cannot be read: {error}.") from error
+        raise MuyscError(f"The volume {path} cannot be read: {detail_of(error)}.") from error
     grid = VoxelGrid(
         (left, top + rows * step_y, base), (step_x, -step_y, height), (columns, rows, slices)
     )

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import MuyscError
+from ..errors import MuyscError, detail_of
 from ..topography.dem import Dem
 
 #: Largest piece of terrain that is held, bytes.
@@ -110,7 +110,9 @@ def reopened_dem(settings: Mapping[str, Any]) -> Dem:
     try:
         return Dem(**_fields(settings), _dataset=gdal.Open(settings["path"]))
     except RuntimeError as error:
-        raise MuyscError(f"The DEM {settings['path']} cannot be opened again: {error}.") from error
+        raise MuyscError(
+            f"The DEM {settings['path']} cannot be opened again: {detail_of(error)}."
+        ) from error
 
 
 def _fields(settings: Mapping[str, Any]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import MuyscError
+from ..errors import MuyscError, detail_of
 from ..topography.frame import transformed
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class Mask:
             valid = band.GetMaskBand().ReadAsArray(*window) > 0
         except RuntimeError as error:
             raise MuyscError(
-                f"The mask {Path(self.path).name} cannot be read ({str(error).rstrip('.')}); "
+                f"The mask {Path(self.path).name} cannot be read ({detail_of(error)}); "
                 "choose another raster."
             ) from error
         allowed = valid & (values != 0) & np.isfinite(values)

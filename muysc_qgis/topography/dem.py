@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import MuyscError
+from ..errors import MuyscError, detail_of
 from .heights import LOWEST_M, PEAK_M, UNFLAGGED_NO_DATA_M, metres_per_unit
 
 if TYPE_CHECKING:
@@ -161,9 +161,9 @@ class Dem:
             if not band.GetMaskFlags() & (gdal.GMF_ALL_VALID | gdal.GMF_NODATA):
                 mask = band.GetMaskBand().ReadAsArray(column, row, columns, rows)
         except RuntimeError as error:
-            detail = str(error).strip().rstrip(".")
             raise MuyscError(
-                f"The DEM {self.name} cannot be read ({detail}); check that it is complete."
+                f"The DEM {self.name} cannot be read ({detail_of(error)}); "
+                "check that it is complete."
             ) from error
         if values is None:
             raise MuyscError(f"The DEM {self.name} cannot be read; check that it is complete.")
@@ -233,8 +233,9 @@ def open_dem(path: str | Path, band: int = 1, crs: str | None = None, unit: str 
     try:
         dataset = gdal.Open(str(path))
     except RuntimeError as error:
-        detail = str(error).strip().rstrip(".")
-        raise MuyscError(f"The DEM {path} cannot be opened as a raster: {detail}.") from error
+        raise MuyscError(
+            f"The DEM {path} cannot be opened as a raster: {detail_of(error)}."
+        ) from error
     if not 1 <= band <= dataset.RasterCount:
         raise MuyscError(
             f"Band {band} does not exist in the DEM {name}; choose 1 to {dataset.RasterCount}."

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import MuyscError
+from ..errors import MuyscError, detail_of
 from .dem import Dem
 from .frame import LocalFrame, transformed
 
@@ -125,7 +125,7 @@ def _warped(
             resampleAlg="average" if coarse else "bilinear",
         )  # fmt: skip
     except RuntimeError as error:
-        raise MuyscError(f"The DEM {dem.name} cannot be drawn: {error}.") from error
+        raise MuyscError(f"The DEM {dem.name} cannot be drawn: {detail_of(error)}.") from error
     heights = warped.GetRasterBand(1).ReadAsArray().astype(float)[::-1]
     rows, columns = heights.shape
     return Relief(

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import MuyscError
+from ..errors import MuyscError, detail_of
 from .heights import LOWEST_M, PEAK_M
 from .srtm import Tile
 
@@ -140,7 +140,7 @@ def _from_tiff(payload: bytes, tile: Tile, address: str) -> TileHeights:
         no_data = band.GetNoDataValue()
         del band, dataset
     except RuntimeError as error:
-        detail = str(error).strip().rstrip(".").replace(path, "the file")
+        detail = detail_of(error).replace(path, "the file")
         raise _refusal(address, f"a damaged GeoTIFF ({detail})") from error
     finally:
         gdal.Unlink(path)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 
-from muysc_qgis.errors import MuyscError
+from muysc_qgis.errors import MuyscError, detail_of
 from muysc_qgis.muogram import Muogram, write_muogram
 from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.topography.frame import ground_height, local_frame
@@ -202,3 +202,11 @@ def test_detector_on_no_data(write_dem):
     dem = open_dem(write_dem(heights, UTM, NORTH_UP, name="gap.tif"))
     with pytest.raises(MuyscError, match=r"The detector .* where the DEM gap\.tif has no data"):
         local_frame(dem, 450_000.0 + 4.3 * 30, 4_520_000.0 - 4.3 * 30, "detector")
+
+
+@pytest.mark.parametrize(
+    "said", ["no such file", "no such file.", "no such file.\nMay be caused by: a typing error."]
+)
+def test_of_what_gdal_says_one_line_is_enough(said):
+    assert detail_of(RuntimeError(said)) == "no such file"
+    assert detail_of(RuntimeError()) == ""
