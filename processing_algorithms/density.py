@@ -231,10 +231,10 @@ class Density(MuyscAlgorithm):
 
             return measured.panel(result)
 
-        def report(*told: Any) -> Any:
+        def report(provenance: Any) -> Any:
             from ..muysc_qgis.plots import measured
 
-            return measured.report(result, measured.figures(result), *told)
+            return measured.report(result, measured.figures(result), provenance)
 
         results |= stage_drawn(
             self, panel, report, results, parameters, context, feedback, staging, inputs.paths

@@ -164,8 +164,8 @@ class ExpectedCounts(MuyscAlgorithm):
         )
         results |= stage_drawn(
             self, lambda: _drawing().counts_panel(counts, inputs.name),
-            lambda *told: _drawing().counts_report(
-                counts, inputs.sight, inputs.name, inputs.unused, *told
+            lambda provenance: _drawing().counts_report(
+                counts, inputs.sight, inputs.name, inputs.unused, provenance
             ),
             results, parameters, context, feedback, staging, files,
         )  # fmt: skip

@@ -179,7 +179,7 @@ class FluxSpectrum(MuyscAlgorithm):
         results |= stage_drawn(
             self,
             lambda: self._drawing().panel(comparison),
-            lambda *told: self._drawing().report(comparison, *told),
+            lambda provenance: self._drawing().report(comparison, provenance),
             results, parameters, context, feedback, staging, (),
         )  # fmt: skip
         return results | {

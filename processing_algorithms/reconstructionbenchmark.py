@@ -163,7 +163,7 @@ class ReconstructionBenchmark(MuyscAlgorithm):
         results |= stage_drawn(
             self,
             lambda: _drawing().method_panel(comparison),
-            lambda *told: _drawing().report(comparison, *told),
+            lambda provenance: _drawing().report(comparison, provenance),
             results, parameters, context, feedback, staging, (),
         )  # fmt: skip
         best = comparison.best

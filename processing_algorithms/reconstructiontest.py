@@ -169,11 +169,11 @@ class ReconstructionTest(MuyscAlgorithm):
 
             return documents.known_model_panel(found.tomography, found.truth)
 
-        def report(*told: Any) -> Any:
+        def report(provenance: Any) -> Any:
             from ..muysc_qgis.plots.tomography import documents
 
             return documents.known_model_report(
-                found, inputs.dem, documents.Told(*told), warnings=inputs.skipped
+                found, inputs.dem, provenance, warnings=inputs.skipped
             )
 
         results |= stage_drawn(self, panel, report, results, *files, feedback, *staged)

@@ -195,7 +195,7 @@ class SiteSelection(MuyscAlgorithm):
         results |= stage_drawn(
             self,
             lambda: _drawing().panel(selection, inputs.plan),
-            lambda *told: _drawing().report(selection, inputs.plan, *told),
+            lambda provenance: _drawing().report(selection, inputs.plan, provenance),
             results, parameters, context, feedback, staging, files,
         )  # fmt: skip
         results |= write_sites(self, selection, inputs.plan, parameters, context, staging)

@@ -109,7 +109,7 @@ class Telescope(MuyscAlgorithm):
         # Staged in one go: the picture of all telescopes beside the panel and the report.
         results |= stage_drawn(
             self, lambda: _drawing().panel(collected, inputs.name),
-            lambda *told: _drawing().report(collected, inputs.name, inputs.notes, *told),
+            lambda provenance: _drawing().report(collected, inputs.name, inputs.notes, provenance),
             results, parameters, context, feedback, staging, (),
         )  # fmt: skip
         if comparison is not None:

@@ -145,13 +145,13 @@ class TomographyAlgorithm(MuyscAlgorithm):
 
             return documents.panel(result, inputs.dem)
 
-        def report(*told: Any) -> Any:
+        def report(provenance: Any) -> Any:
             from ..muysc_qgis.plots.tomography import documents
 
             return documents.report(
                 result,
                 inputs.dem,
-                documents.Told(*told),
+                provenance,
                 warnings=data.warnings,
                 discrepancy=inputs.choices.options.discrepancy,
                 line_m=inputs.line,

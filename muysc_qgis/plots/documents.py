@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-import platform
 from collections.abc import Mapping
-from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import __version__
 from ..muogram import Muogram
 from ..radiography.aperture import Aperture
-from ..radiography.energy_loss import ENERGY_LOSSES
-from ..radiography.spectra import MODELS
 from ..topography.footprint import Outline
 from ..topography.relief import relief_around
 from ..topography.section import terrain_section
@@ -23,8 +17,9 @@ from ..workflows.simulation import Simulation, outlines
 from .overview_map import overview_map
 from .panel import muogram_panel, summary_panel
 from .profile import section_panel
+from .provenance import Provenance, physics_of
 from .rays import Ray
-from .report import Citation, OutputFile, PixelCount, Report, ReportFigure, Row
+from .report import PixelCount, Report, ReportFigure, Row
 from .style import png_bytes
 
 if TYPE_CHECKING:
@@ -36,15 +31,6 @@ _FURTHER = ("opacity", "minimum_energy", "open_sky", "transmission", "exposure",
 _REPORT_DPI = 100
 #: Margin of the map around what it shows, as a share of its size.
 _MAP_MARGIN = 0.12
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A parameter as the report tells it."""
-
-    label: str
-    value: str | float | bool | None
-    unit: str = ""
 
 
 def panel(simulation: Simulation) -> Figure:
@@ -170,10 +156,7 @@ def _section(simulation: Simulation, sight: Sight, aperture: Aperture) -> list[R
 def report(
     simulation: Simulation,
     drawn: list[ReportFigure],
-    parameters: list[Parameter],
-    outputs: Mapping[str, str],
-    date: str,
-    versions: Mapping[str, str],
+    provenance: Provenance,
 ) -> Report:
     """Gather everything that the report of a simulation tells.
 
@@ -183,14 +166,8 @@ def report(
         What was computed.
     drawn
         See `figures`.
-    parameters
-        What it was computed from.
-    outputs
-        File by label.
-    date
-        When, as text.
-    versions
-        Versions of other software by name.
+    provenance
+        What it was computed from, and when.
     """
     flux = simulation.muograms["flux"]
     total = flux.values.size
@@ -203,33 +180,19 @@ def report(
     pixels += [
         PixelCount("No flux", count, cause) for cause, count in simulation.unknown.items() if count
     ]
-    model = MODELS[str(flux.metadata["FLUX_MODEL"])]
-    return Report(
+    told = Report(
         title="Muon radiography",
         subtitle=_subtitle(flux),
-        date=date,
         figures=drawn,
         results=_results(simulation),
-        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
         pixels=pixels,
         pixel_total=total,
         warnings=simulation.warnings,
-        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
         citations=[
-            Citation(f"Muon flux model: {model.citation}"),
-            Citation(f"Energy loss: {ENERGY_LOSSES[str(flux.metadata['ENERGY_LOSS'])]}"),
+            *physics_of(flux.metadata),
         ],
-        versions={**own_versions(), **versions},
     )
-
-
-def own_versions() -> dict[str, str]:
-    """Return the versions of what computes, by name."""
-    return {
-        "MUYSC for QGIS": __version__,
-        "Python": platform.python_version(),
-        "numpy": np.__version__,
-    }
+    return provenance.added_to(told)
 
 
 def _subtitle(flux: Muogram) -> str:

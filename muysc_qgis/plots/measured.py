@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,15 +10,13 @@ import numpy as np
 from ..measurement.density import Flag
 from ..muogram import Muogram
 from ..quantities import QUANTITIES
-from ..radiography.energy_loss import ENERGY_LOSSES
-from ..radiography.spectra import MODELS
 from ..trajectories import TrajectoryMap
 from ..views import View, like
 from ..workflows.measured_density import FLAG_MEANINGS, DensityResult
 from .directions import describe
-from .documents import Parameter, own_versions
 from .panel import muogram_panels, summary_panel
-from .report import Citation, OutputFile, PixelCount, Report, ReportFigure, Row
+from .provenance import Provenance, physics_of
+from .report import Citation, PixelCount, Report, ReportFigure, Row
 from .style import png_bytes
 from .trajectory_page import aimed_at_target, trajectory_page
 
@@ -111,10 +108,7 @@ def figures(result: DensityResult) -> list[ReportFigure]:
 def report(
     result: DensityResult,
     drawn: Sequence[ReportFigure],
-    parameters: Sequence[Parameter],
-    outputs: Mapping[str, str],
-    date: str,
-    versions: Mapping[str, str],
+    provenance: Provenance,
 ) -> Report:
     """Gather everything that the report of a measured density tells.
 
@@ -124,8 +118,8 @@ def report(
         What was found.
     drawn
         See `figures`.
-    parameters, outputs, date, versions
-        As in the report of a simulation.
+    provenance
+        What it was computed from, and when.
     """
     density = result.muograms["density"]
     found, mean = result.densities, result.mean
@@ -140,25 +134,20 @@ def report(
     counted = [
         PixelCount(FLAG_MEANINGS[flag], found.count(flag), f"flag {int(flag)}") for flag in Flag
     ]
-    model = MODELS[str(density.metadata["FLUX_MODEL"])]
-    return Report(
+    told = Report(
         title="Density from a measured muogram",
         subtitle=f"From {density.metadata['MEASURED']}, mean along each ray",
-        date=date,
         figures=drawn,
         results=rows,
-        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
         pixels=[one for one in counted if one.count],
         pixel_total=density.values.size,
         warnings=result.warnings,
-        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
         citations=[
-            Citation(f"Muon flux model: {model.citation}"),
-            Citation(f"Energy loss: {ENERGY_LOSSES[str(density.metadata['ENERGY_LOSS'])]}"),
+            *physics_of(density.metadata),
             *(_INTERVALS if density.metadata["MEASURED"] == "counts" else ()),
         ],
-        versions={**own_versions(), **versions},
     )
+    return provenance.added_to(told)
 
 
 def _in_telescope_angles(result: DensityResult) -> bool:

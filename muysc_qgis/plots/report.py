@@ -118,7 +118,7 @@ class Report:
     """
 
     title: str
-    date: str
+    date: str = ""
     subtitle: str = ""
     figures: Sequence[ReportFigure] = ()
     results: Sequence[Row] = ()

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import platform
-from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import __version__
-from ..radiography.energy_loss import ENERGY_LOSSES
-from ..radiography.spectra import MODELS
 from ..workflows.site_assessment import SurveyPlan
 from ..workflows.site_selection import Selection
-from .documents import Parameter
-from .report import Citation, OutputFile, Report, ReportFigure, Row
+from .provenance import Provenance, physics_citations
+from .report import Citation, Report, ReportFigure, Row
 from .style import png_bytes
 from .survey_panel import survey_maps, survey_panel
 
@@ -47,10 +41,7 @@ def panel(selection: Selection, plan: SurveyPlan) -> Figure:
 def report(
     selection: Selection,
     plan: SurveyPlan,
-    parameters: list[Parameter],
-    outputs: Mapping[str, str],
-    date: str,
-    versions: Mapping[str, str],
+    provenance: Provenance,
 ) -> Report:
     """Gather everything that the report of a survey tells.
 
@@ -58,8 +49,8 @@ def report(
     ----------
     selection, plan
         What was found, and what was looked for.
-    parameters, outputs, date, versions
-        As for the report of a simulation.
+    provenance
+        What it was computed from, and when.
     """
     drawn = [
         ReportFigure(
@@ -79,27 +70,18 @@ def report(
     ]
     candidates = selection.candidates
     physics = plan.view.physics
-    return Report(
+    told = Report(
         title="Where to put the telescope",
         subtitle=f"{len(candidates)} candidates on the elevation model {plan.dem.name}",
-        date=date,
         figures=drawn,
         results=_rows(selection),
-        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
         warnings=selection.warnings,
-        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
         citations=[
             _GREEDY,
-            Citation(f"Muon flux model: {MODELS[physics.flux_model].citation}"),
-            Citation(f"Energy loss: {ENERGY_LOSSES[physics.energy_loss]}"),
+            *physics_citations(physics.flux_model, physics.energy_loss),
         ],
-        versions={
-            "MUYSC for QGIS": __version__,
-            "Python": platform.python_version(),
-            "numpy": np.__version__,
-            **versions,
-        },
     )
+    return provenance.added_to(told)
 
 
 def _rows(selection: Selection) -> list[Row]:

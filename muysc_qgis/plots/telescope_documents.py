@@ -2,23 +2,15 @@
 
 from __future__ import annotations
 
-import platform
-from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from .. import __version__
-from ..radiography.energy_loss import ENERGY_LOSSES
-from ..radiography.spectra import MODELS
 from ..telescope.acceptance import CITATIONS, Trajectories, plane_etendue
 from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
 from ..topography.sight import Sight
 from ..workflows.expected_counts import TelescopeCounts
-from .documents import Parameter
-from .report import Citation, OutputFile, PixelCount, Report, ReportFigure, Row
+from .provenance import Provenance, physics_of
+from .report import Citation, PixelCount, Report, ReportFigure, Row
 from .style import png_bytes
 from .telescope_comparison import comparison_panel
 from .telescope_counts import FURTHER, counts_panel
@@ -53,10 +45,7 @@ def report(
     collected: Trajectories,
     name: str,
     notes: tuple[str, ...],
-    parameters: list[Parameter],
-    outputs: Mapping[str, str],
-    date: str,
-    versions: Mapping[str, str],
+    provenance: Provenance,
 ) -> Report:
     """Gather everything that the report of a telescope tells.
 
@@ -66,8 +55,8 @@ def report(
         The telescope.
     notes
         What the user must know, a sentence each.
-    parameters, outputs, date, versions
-        As for the report of a simulation.
+    provenance
+        What it was computed from, and when.
     """
     geometry = collected.geometry
     drawn = [
@@ -85,18 +74,15 @@ def report(
             "Comparison of telescopes",
         ),
     ]
-    return Report(
+    told = Report(
         title="Telescope parameters",
         subtitle=telescope_title(name),
-        date=date,
         figures=drawn,
         results=_telescope_rows(geometry, collected),
-        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
         warnings=notes,
-        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
         citations=[*_telescope_citations(name), *(Citation(f"Acceptance: {c}") for c in CITATIONS)],
-        versions=_versions(versions),
     )
+    return provenance.added_to(told)
 
 
 def _telescope_rows(geometry: TelescopeGeometry, collected: Trajectories) -> list[Row]:
@@ -124,10 +110,7 @@ def counts_report(
     sight: Sight,
     name: str,
     notes: tuple[str, ...],
-    parameters: list[Parameter],
-    outputs: Mapping[str, str],
-    date: str,
-    versions: Mapping[str, str],
+    provenance: Provenance,
 ) -> Report:
     """Gather everything that the report of expected counts tells.
 
@@ -137,8 +120,8 @@ def counts_report(
         What was computed, from where, for which telescope.
     notes
         What the user must know, a sentence each.
-    parameters, outputs, date, versions
-        As for the report of a simulation.
+    provenance
+        What it was computed from, and when.
     """
     drawn = [
         ReportFigure(
@@ -158,26 +141,22 @@ def counts_report(
     flux = counts.maps["flux"]
     pixels = [PixelCount("behind rock", counts.rock_trajectories)]
     pixels += [PixelCount("unknown", number, cause) for cause, number in counts.unknown.items()]
-    return Report(
+    told = Report(
         title="Expected counts in a telescope",
         subtitle=f"{telescope_title(name)} on the elevation model {sight.frame.dem.name}",
-        date=date,
         figures=drawn,
         results=_count_rows(counts, sight),
-        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
         pixels=pixels,
         pixel_total=counts.trajectories,
         warnings=[*notes, *counts.warnings],
-        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
         citations=[
             *_telescope_citations(name),
             *(Citation(f"Acceptance: {one}") for one in CITATIONS),
             _FEASIBILITY,
-            Citation(f"Muon flux model: {MODELS[str(flux.metadata['FLUX_MODEL'])].citation}"),
-            Citation(f"Energy loss: {ENERGY_LOSSES[str(flux.metadata['ENERGY_LOSS'])]}"),
+            *physics_of(flux.metadata),
         ],
-        versions=_versions(versions),
     )
+    return provenance.added_to(told)
 
 
 def _count_rows(counts: TelescopeCounts, sight: Sight) -> list[Row]:
@@ -213,12 +192,3 @@ def _telescope_citations(name: str) -> list[Citation]:
     if name not in PRESETS:
         return []
     return [Citation(f"Telescope: {PRESETS[name].citation}", PRESETS[name].url)]
-
-
-def _versions(versions: Mapping[str, str]) -> dict[str, str]:
-    return {
-        "MUYSC for QGIS": __version__,
-        "Python": platform.python_version(),
-        "numpy": np.__version__,
-        **versions,
-    }

@@ -29,6 +29,7 @@ from .told import told
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from ...muysc_qgis.plots.provenance import Provenance
     from ...muysc_qgis.plots.report import Report
 
 _SUFFIXES = {"PANEL": ".png", "REPORT": ".html"}
@@ -71,10 +72,11 @@ def stage_documents(
 
         return documents.panel(simulation)
 
-    def report(*told: Any) -> Report:
+    def report(provenance: Provenance) -> Report:
         from ...muysc_qgis.plots import documents
 
-        return documents.report(simulation, documents.figures(simulation, sight, aperture), *told)
+        drawn = documents.figures(simulation, sight, aperture)
+        return documents.report(simulation, drawn, provenance)
 
     return stage_drawn(
         algorithm, panel, report, written, parameters, context, feedback, staging, inputs
@@ -84,7 +86,7 @@ def stage_documents(
 def stage_drawn(
     algorithm: QgsProcessingAlgorithm,
     panel: Callable[[], Figure],
-    report: Callable[..., Report],
+    report: Callable[[Provenance], Report],
     written: dict[str, str],
     parameters: dict[str, Any],
     context: QgsProcessingContext,
@@ -94,7 +96,7 @@ def stage_drawn(
 ) -> dict[str, str]:
     """Draw and stage panel and report where wanted; return files by output name.
 
-    `panel` draws; `report` takes parameters, files by label, date and versions. Where a
+    `panel` draws; `report` takes what the run was made from. Where a
     library for drawing is missing, a warning says so and the rasters are written all the
     same.
     """
@@ -106,18 +108,19 @@ def stage_drawn(
     if not staged:
         return {}
     try:
-        from ...muysc_qgis.plots.documents import Parameter
-        from ...muysc_qgis.plots.report import write_report
+        from ...muysc_qgis.plots.provenance import Provenance
+        from ...muysc_qgis.plots.report import Row, write_report
         from ...muysc_qgis.plots.style import png_bytes
 
         drawn = None
         if "REPORT" in staged:
-            content = report(
-                [Parameter(*row) for row in told(algorithm, parameters, context)],
+            provenance = Provenance(
+                [Row(*row) for row in told(algorithm, parameters, context)],
                 _files(algorithm, parameters, written),
                 QDateTime.currentDateTime().toString("yyyy-MM-dd HH:mm"),
                 {"QGIS": Qgis.QGIS_VERSION, "GDAL": gdal.__version__},
-            )  # fmt: skip
+            )
+            content = report(provenance)
             write_report(staged["REPORT"], content)
             # The report may hold the panel already: drawing takes longer than all else.
             drawn = next((figure.png for figure in content.figures if figure.is_panel), None)

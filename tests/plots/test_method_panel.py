@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from muysc_qgis.plots.provenance import Provenance
 from muysc_qgis.plots.style import png_bytes
 from muysc_qgis.plots.tomography.method_documents import report
 from muysc_qgis.plots.tomography.method_panel import LOOKS, method_panel
@@ -53,7 +54,7 @@ def test_few_methods_make_a_panel_too(methods):
 
 
 def test_the_report_tells_errors_and_times(comparison):
-    told = report(comparison, [], {}, "today", {})
+    told = report(comparison, Provenance())
     values = {row.label: row.value for row in told.results}
     assert values["Smallest relative error"] == round(comparison.best.relative_error, 4)
     assert values["SIRT: relative error"] == round(

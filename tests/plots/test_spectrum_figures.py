@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from muysc_qgis.plots.provenance import Provenance
 from muysc_qgis.plots.report import report_html
 from muysc_qgis.plots.spectra import attenuation, documents, energy_spectra, looks, losses
 from muysc_qgis.plots.style import png_bytes
@@ -167,7 +168,7 @@ def test_texts_stay_on_the_page(comparison):
 
 def test_the_report_tells_fluxes_warnings_and_whom_to_cite(comparison):
     page = report_html(
-        documents.report(comparison, [], {"Table of spectra": "/x/t.csv"}, "2024-01-01", {})
+        documents.report(comparison, Provenance(outputs={"Table of spectra": "/x/t.csv"}))
     )
     assert "Flux, Guan et al. at 85°" in page
     assert "Flux, Bugaev at 85°, outside the model’s range" in page.replace("&#39;", "’")

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from muysc_qgis.plots.provenance import Provenance
 from muysc_qgis.plots.report import report_html
 from muysc_qgis.plots.survey_documents import panel, report
 from muysc_qgis.plots.survey_map import SurveyMap
@@ -47,7 +48,7 @@ def test_the_map_has_every_candidate_within_and_the_sites_where_they_are(survey)
 
 def test_the_report_lists_every_site(survey):
     selection, plan = survey
-    html = report_html(report(selection, plan, [], {}, "2026-01-01", {}))
+    html = report_html(report(selection, plan, Provenance()))
     for words in ("Site 3", "Telescope 2", "Nemhauser", "Tang et al.", "nearer than 1200 m"):
         assert words in html
     assert html.count("data:image/png;base64") == 2

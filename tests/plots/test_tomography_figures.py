@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import MuyscError
-from muysc_qgis.plots.documents import Parameter
-from muysc_qgis.plots.report import report_html
+from muysc_qgis.plots.provenance import Provenance
+from muysc_qgis.plots.report import Row, report_html
 from muysc_qgis.plots.style import png_bytes
 from muysc_qgis.plots.tomography import cuts, documents, volume_scales
 from muysc_qgis.plots.tomography.convergence import convergence_figure
@@ -329,7 +329,7 @@ def on_the_map(tomography):
     )
 
 
-TOLD = documents.Told([Parameter("Method", "sirt")], {"Density": "/d/<b>.tif"}, "today", {})
+TOLD = Provenance([Row("Method", "sirt")], {"Density": "/d/<b>.tif"}, "today", {})
 
 
 def test_the_report_tells_numbers_rays_and_warnings(on_the_map, dem):

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import platform
-from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from ... import __version__
 from ...radiography.comparison import Comparison
 from ...radiography.energy_loss import ENERGY_LOSSES
 from ...radiography.materials import MATERIALS
 from ...radiography.spectra import MODELS
-from ..documents import Parameter
-from ..report import Citation, OutputFile, Report, ReportFigure, Row
+from ..provenance import Provenance
+from ..report import Citation, Report, ReportFigure, Row
 from ..style import WIDTH_IN, new_figure, png_bytes
 from . import attenuation, energy_spectra, losses
 
@@ -83,10 +77,7 @@ def panel(comparison: Comparison) -> Figure:
 
 def report(
     comparison: Comparison,
-    parameters: Sequence[Parameter],
-    outputs: Mapping[str, str],
-    date: str,
-    versions: Mapping[str, str],
+    provenance: Provenance,
 ) -> Report:
     """Gather everything that the report of a comparison tells.
 
@@ -94,30 +85,21 @@ def report(
     ----------
     comparison
         What was computed.
-    parameters
-        What it was computed from.
-    outputs
-        File by label.
-    date
-        When, as text.
-    versions
-        Versions of other software by name.
+    provenance
+        What it was computed from, and when.
 
     Raises
     ------
     MuyscError
         If matplotlib is missing.
     """
-    return Report(
+    told = Report(
         title="Muon spectra compared",
         subtitle=f"{len(comparison.models)} flux models at {len(comparison.zenith_deg)} zenith "
         "angles, in the open sky and behind rock",
-        date=date,
         figures=_figures(comparison),
         results=_results(comparison),
-        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
         warnings=comparison.warnings,
-        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
         citations=[
             *(
                 Citation(f"Muon flux model {MODELS[name].title}: {MODELS[name].citation}")
@@ -132,13 +114,8 @@ def report(
                 for one in comparison.losses
             ),
         ],
-        versions={
-            "MUYSC for QGIS": __version__,
-            "Python": platform.python_version(),
-            "numpy": np.__version__,
-            **versions,
-        },
     )
+    return provenance.added_to(told)
 
 
 def _figures(comparison: Comparison) -> list[ReportFigure]:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,8 +13,8 @@ from ...topography.relief import Relief, relief_on_map
 from ...workflows.reconstruction_test import KnownModelResult
 from ...workflows.tomography_result import Tomography
 from ...workflows.view_errors import paper_errors
-from ..documents import Parameter, own_versions
-from ..report import OutputFile, PixelCount, Report, ReportFigure, Row
+from ..provenance import Provenance
+from ..report import PixelCount, Report, ReportFigure, Row
 from ..style import DPI, png_bytes
 from .convergence import convergence_figure
 from .known_model_panel import known_model_panel
@@ -27,22 +25,10 @@ from .tomography_panel import tomography_panel
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Told", "known_model_panel", "known_model_report", "panel", "report", "terrain"]
+__all__ = ["known_model_panel", "known_model_report", "panel", "report", "terrain"]
 
 #: Resolution (dots per inch) of figures in the report, read on screens.
 _REPORT_DPI = 110
-
-
-@dataclass(frozen=True)
-class Told:
-    """What the report of any run tells besides its results."""
-
-    parameters: Sequence[Parameter]
-    #: File by label.
-    outputs: Mapping[str, str]
-    date: str
-    #: Versions of other software by name.
-    versions: Mapping[str, str]
 
 
 def terrain(tomography: Tomography, dem: Dem) -> Relief:
@@ -74,7 +60,7 @@ def panel(tomography: Tomography, dem: Dem) -> Figure:
 def report(
     tomography: Tomography,
     dem: Dem,
-    told: Told,
+    provenance: Provenance,
     *,
     warnings: Sequence[str] = (),
     discrepancy: float = 1.0,
@@ -86,8 +72,8 @@ def report(
     ----------
     tomography, dem
         What was computed, and the terrain.
-    told
-        Parameters, files and versions.
+    provenance
+        What it was computed from, and when.
     warnings
         What the data said before, a sentence each.
     discrepancy
@@ -110,13 +96,15 @@ def report(
                 "Vertical section along the line",
             )
         )
-    return _report("Muon tomography", tomography, dem, drawn, _results(tomography), told, warnings)
+    return _report(
+        "Muon tomography", tomography, dem, drawn, _results(tomography), provenance, warnings
+    )
 
 
 def known_model_report(
     found: KnownModelResult,
     dem: Dem,
-    told: Told,
+    provenance: Provenance,
     *,
     warnings: Sequence[str] = (),
     discrepancy: float = 1.0,
@@ -129,8 +117,8 @@ def known_model_report(
         What was to be found, and what was.
     dem
         Terrain.
-    told
-        Parameters, files and versions.
+    provenance
+        What it was computed from, and when.
     warnings
         A sentence each.
     discrepancy
@@ -154,7 +142,9 @@ def known_model_report(
         _convergence(tomography, discrepancy),
     ]
     rows = [*_merits(found), *_results(tomography)]
-    return _report("Reconstruction of a known model", tomography, dem, drawn, rows, told, warnings)
+    return _report(
+        "Reconstruction of a known model", tomography, dem, drawn, rows, provenance, warnings
+    )
 
 
 def _merits(found: KnownModelResult) -> list[Row]:
@@ -208,26 +198,23 @@ def _report(
     dem: Dem,
     drawn: Sequence[ReportFigure],
     rows: Sequence[Row],
-    told: Told,
+    provenance: Provenance,
     warnings: Sequence[str],
 ) -> Report:
     lost = tomography.lost
     pixels = [PixelCount("Used", tomography.rays, "rays through rock of the volume")]
     pixels += [PixelCount("Not used", count, cause) for cause, count in lost.items() if count]
-    return Report(
+    told = Report(
         title=title,
         subtitle=f"{METHODS[tomography.method].title} from {len(tomography.stations)} stations on "
         f"the elevation model {dem.name}",
-        date=told.date,
         figures=drawn,
         results=rows,
-        parameters=[Row(one.label, one.value, one.unit) for one in told.parameters],
         pixels=pixels,
         pixel_total=tomography.rays + sum(lost.values()),
         warnings=[*warnings, *tomography.warnings],
-        outputs=[OutputFile(label, Path(path).name) for label, path in told.outputs.items()],
-        versions={**own_versions(), **told.versions},
     )
+    return provenance.added_to(told)
 
 
 def _results(tomography: Tomography) -> list[Row]:

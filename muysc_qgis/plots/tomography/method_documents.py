@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from pathlib import Path
-
 from ...tomography.method_comparison import COMPARABLE, Comparison
-from ..documents import Parameter, own_versions
-from ..report import Citation, OutputFile, Report, ReportFigure, Row
+from ..provenance import Provenance
+from ..report import Citation, Report, ReportFigure, Row
 from ..style import png_bytes
 from .method_panel import TITLE, method_panel
 
@@ -22,10 +19,7 @@ _PHANTOM = Citation(
 
 def report(
     comparison: Comparison,
-    parameters: Sequence[Parameter],
-    outputs: Mapping[str, str],
-    date: str,
-    versions: Mapping[str, str],
+    provenance: Provenance,
 ) -> Report:
     """Gather everything that the report of a comparison tells.
 
@@ -33,8 +27,8 @@ def report(
     ----------
     comparison
         What was computed.
-    parameters, outputs, date, versions
-        As for the report of a simulation.
+    provenance
+        What it was computed from, and when.
 
     Raises
     ------
@@ -42,11 +36,10 @@ def report(
         If matplotlib is missing.
     """
     size = len(comparison.truth)
-    return Report(
+    told = Report(
         title=TITLE,
         subtitle=f"Shepp–Logan head of {size} × {size} pixels from {comparison.angles} parallel "
         "projections",
-        date=date,
         figures=[
             ReportFigure(
                 "The head, its reconstructions on one scale of greys, the error of each against "
@@ -58,12 +51,10 @@ def report(
             )
         ],
         results=_results(comparison),
-        parameters=[Row(one.label, one.value, one.unit) for one in parameters],
         warnings=comparison.warnings,
-        outputs=[OutputFile(label, Path(path).name) for label, path in outputs.items()],
         citations=[_PHANTOM],
-        versions={**own_versions(), **versions},
     )
+    return provenance.added_to(told)
 
 
 def _results(comparison: Comparison) -> list[Row]:
