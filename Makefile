@@ -55,7 +55,7 @@ reference: packages ## Write docs/algorithms.md and docs/reference from what the
 	@$(PYTHON) tools/reference_pages.py
 
 models: packages ## Write the models that come with the provider
-	@$(PYTHON) tools/make_models.py
+	@QT_HASH_SEED=0 $(PYTHON) tools/make_models.py
 
 translations: document-packages ## Gather what is to be translated, and compile i18n
 	@$(PYTHON) tools/translations.py

@@ -169,10 +169,13 @@ def build(model: Model, provider: QgsProcessingProvider) -> QgsProcessingModelAl
         declared = provider.algorithm(step.algorithm).parameterDefinition(name)
         built.addModelParameter(declared.clone(), place)
     built.setParameterOrder(names)
+    needed = {source for step in model.steps for source in step.wired.values()}
     first_row = UP + (len(names) // INPUTS_IN_A_ROW + 1) * ROW / 2 + ROW
     for number, step in enumerate(model.steps):
         place = QPointF(LEFT + number * 2.2 * COLUMN, first_row)
-        built.addChildAlgorithm(_child(step, provider.algorithm(step.algorithm), place))
+        child = _child(step, provider.algorithm(step.algorithm), place)
+        child.setModelOutputs(dict(_outputs(step, place, needed)))
+        built.addChildAlgorithm(child)
     helps = {"ALG_DESC": model.help}
     helps |= {name: built.parameterDefinition(name).help() for name in names}
     helps |= {
@@ -206,15 +209,18 @@ def _child(
             child.addParameterSources(one.name(), [source.fromStaticValue(one.defaultValue())])
     for name, (other, output) in step.wired.items():
         child.addParameterSources(name, [source.fromChildOutput(other, output)])
-    child.setModelOutputs(dict(_outputs(step, position)))
     return child
 
 
-def _outputs(step: Step, position: QPointF) -> Iterable[tuple[str, QgsProcessingModelOutput]]:
+def _outputs(
+    step: Step, position: QPointF, needed: set[tuple[str, str]]
+) -> Iterable[tuple[str, QgsProcessingModelOutput]]:
     for number, (name, title) in enumerate(step.outputs.items()):
         output = QgsProcessingModelOutput(name, title)
         output.setChildId(step.name)
         output.setChildOutputName(name)
+        # A later step fails without it, even where nobody wants to keep it.
+        output.setMandatory((step.name, name) in needed)
         output.setPosition(position + QPointF(COLUMN, (number + 1) * ROW / 2))
         yield name, output
 
