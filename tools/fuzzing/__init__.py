@@ -1,0 +1,1 @@
+"""Hostile parameters and files for every algorithm, tried in a process that may die of them."""

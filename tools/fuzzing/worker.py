@@ -1,0 +1,171 @@
+"""Run cases for `client`, in a process that may crash or hang without harm.
+
+A line of JSON comes in for each case and one goes out for what became of it. The first
+line that goes out is the catalogue of the algorithms.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import importlib.util
+import json
+import os
+import resource
+import sys
+import threading
+import traceback
+import warnings
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+#: The package name is the folder's name, whatever that is.
+ALIAS = "muysc_under_fuzzing"
+#: Enough for every sane case; a header that promises more must end in a sentence.
+MEMORY_BYTES = 8 * 2**30
+
+
+def start_qgis(profile: Path) -> Any:
+    """Return QGIS without windows, which reaches no network."""
+    os.environ.update(
+        QT_QPA_PLATFORM="offscreen", QGIS_CUSTOM_CONFIG_PATH=str(profile), HOME=str(profile),
+        XDG_RUNTIME_DIR=str(profile), XDG_CACHE_HOME=str(profile / "cache"),
+    )  # fmt: skip
+    from qgis.core import QgsApplication, QgsNetworkAccessManager
+    from qgis.PyQt.QtNetwork import QNetworkProxy
+
+    application = QgsApplication([], False, str(profile))
+    application.initQgis()
+    nowhere = QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy, "127.0.0.1", 1)
+    QgsNetworkAccessManager.instance().setFallbackProxyAndExcludes(nowhere, [], [])
+    return application
+
+
+def load_plugin() -> Any:
+    """Return the plugin with its provider, as QGIS loads it."""
+    spec = importlib.util.spec_from_file_location(
+        ALIAS, ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
+    )
+    package = sys.modules[ALIAS] = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(package)
+    plugin = package.classFactory(None)
+    plugin.initProcessing()
+    return plugin
+
+
+def described(definition: Any) -> dict[str, Any]:
+    """Return what a strategy needs to know about a parameter."""
+    told = {
+        "name": definition.name(),
+        "type": definition.type(),
+        "optional": bool(definition.flags() & definition.Flag.FlagOptional),
+        "default": plain(definition.defaultValue()),
+    }
+    if definition.type() == "number":
+        told["low"], told["high"] = definition.minimum(), definition.maximum()
+        told["whole"] = definition.dataType() == definition.Type.Integer
+    elif definition.type() == "enum":
+        told["options"], told["several"] = definition.options(), definition.allowMultiple()
+    elif definition.type() == "file":
+        told["folder"] = definition.behavior() == definition.Behavior.Folder
+    elif definition.type() == "fileDestination":
+        told["filter"] = definition.fileFilter()
+    return told
+
+
+def plain(value: Any) -> Any:
+    """Return a value as JSON can hold it, by its text where it cannot."""
+    if isinstance(value, (list, tuple)):
+        return [plain(one) for one in value]
+    return value if isinstance(value, (str, int, float, bool, type(None))) else repr(value)
+
+
+def execute(algorithm: Any, *arguments: Any) -> dict[str, Any]:
+    """Run an algorithm so that an exception of Python arrives as it was raised."""
+    from qgis.core import QgsProcessingException, QgsProcessingModelAlgorithm
+
+    if not isinstance(algorithm, QgsProcessingModelAlgorithm):
+        return algorithm.processAlgorithm(*arguments)
+    results, fine = algorithm.run(*arguments)
+    if not fine:
+        # The step that failed speaks first, then the model of it.
+        raise QgsProcessingException(arguments[-1].errors[0])
+    return results
+
+
+class Runner:
+    """Runs one case after another."""
+
+    def __init__(self, provider: Any) -> None:
+        self._algorithms = {one.name(): one for one in provider.algorithms()}
+
+    def catalogue(self) -> dict[str, list[dict[str, Any]]]:
+        """Return the parameters by algorithm."""
+        return {
+            name: [described(one) for one in algorithm.parameterDefinitions()]
+            for name, algorithm in self._algorithms.items()
+        }
+
+    def run(self, case: dict[str, Any]) -> dict[str, Any]:
+        """Return how a case ended: done, refused with a sentence, or broken."""
+        from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
+
+        class Feedback(QgsProcessingFeedback):
+            def __init__(self) -> None:
+                super().__init__(False)
+                self.errors: list[str] = []
+
+            def reportError(self, text: str, fatalError: bool = False) -> None:  # noqa: N802, N803
+                self.errors.append(text)
+
+        algorithm = self._algorithms[case["algorithm"]].create()
+        context, feedback = QgsProcessingContext(), Feedback()
+        # Long is no fault where stopping works, so everything long is stopped.
+        stop = threading.Timer(case["patience_s"], feedback.cancel)
+        stop.start()
+        told: dict[str, Any] = {"end": "done", "sentence": "", "results": {}, "complaints": []}
+        try:
+            with warnings.catch_warnings(record=True) as raised:
+                warnings.simplefilter("always")
+                try:
+                    fine, said = algorithm.checkParameterValues(case["parameters"], context)
+                    if fine:
+                        found = execute(algorithm, case["parameters"], context, feedback)
+                        told["results"] = {name: plain(value) for name, value in found.items()}
+                    else:
+                        told.update(end="refused", sentence=said)
+                except QgsProcessingException as error:
+                    told.update(end="refused", sentence=str(error))
+                except BaseException:
+                    told.update(end="broken", sentence=traceback.format_exc())
+                told["complaints"] = [
+                    f"{one.category.__name__}: {one.message} ({one.filename}:{one.lineno})"
+                    for one in raised
+                    if not issubclass(one.category, (DeprecationWarning, ResourceWarning))
+                ]
+        finally:
+            stop.cancel()
+        told["log"] = feedback.textLog()
+        return told
+
+
+def main() -> None:
+    """Answer cases until there are no more."""
+    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    # Whatever else is printed must not come between the answers.
+    os.dup2(2, 1)
+    faulthandler.enable()
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+    application = start_qgis(Path(sys.argv[1]))
+    plugin = load_plugin()
+    runner = Runner(plugin.provider)
+    print(json.dumps(runner.catalogue()), file=answers, flush=True)
+    for line in sys.stdin:
+        print(json.dumps(runner.run(json.loads(line))), file=answers, flush=True)
+    del application
+    # What QGIS tears down at the end is no part of the cases.
+    os._exit(0)
+
+
+if __name__ == "__main__":
+    main()
