@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from ..progress import Progress, part, silent
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
+from ..radiography.roots import falling_roots
 from ..radiography.settings import Physics
 from ..radiography.transmission import attenuate
 
@@ -14,11 +17,8 @@ from ..radiography.transmission import attenuate
 _LOWEST_G_CM3 = 1e-4
 _HIGHEST_G_CM3 = 1e4
 
-#: Relative accuracy of the counts at the density found, halvings before the faster
-#: search, and more steps than any region needs.
-_TOLERANCE = 1e-7
+#: Halvings of this range before the faster search.
 _HALVINGS = 8
-_STEPS = 100
 
 
 def uniform_density(
@@ -65,8 +65,10 @@ def uniform_density(
         If `progress` asks for a stop.
     """
     ln_counts = np.log(np.where(counts > 0, counts, np.nan))
+    tries = itertools.count()
 
-    def excess(density: np.ndarray, tried: int) -> np.ndarray:
+    def excess(density: np.ndarray) -> np.ndarray:
+        tried = next(tries)
         opacity = density[region] * thickness_m * G_CM2_PER_M_WATER_EQUIVALENT
         within = part(progress, _share_done(tried), _share_done(tried + 1))
         flux = attenuate(opacity, elevation_deg, physics, altitude_m, within).flux
@@ -76,27 +78,13 @@ def uniform_density(
 
     low = np.full(len(counts), np.log(_LOWEST_G_CM3))
     high = np.full(len(counts), np.log(_HIGHEST_G_CM3))
-    at_low, at_high = excess(np.exp(low), 0), excess(np.exp(high), 1)
-    is_sky, has_answer = excess(np.zeros(len(counts)), 2) <= 0, at_high <= 0
-    middle, before = low, is_sky
-    for step in range(_STEPS):
-        if step < _HALVINGS:
-            middle = 0.5 * (low + high)
-        else:
-            with np.errstate(invalid="ignore", divide="ignore"):
-                middle = (low * at_high - high * at_low) / (at_high - at_low)
-            middle = np.clip(middle, low, high)
-        at_middle = excess(np.exp(np.nan_to_num(middle)), step + 3)
-        beyond = at_middle > 0
-        # The Illinois method: an end that stays for a second time counts half.
-        weight = np.where((beyond == before) & (step > _HALVINGS), 0.5, 1.0)
-        at_high = np.where(beyond, weight * at_high, at_middle)
-        at_low = np.where(beyond, at_middle, weight * at_low)
-        before = beyond
-        low, high = np.where(beyond, middle, low), np.where(beyond, high, middle)
-        if not np.any((np.abs(at_middle) > _TOLERANCE) & ~is_sky & has_answer):
-            break
-    answer = np.where(has_answer, np.exp(middle), np.nan)
+    at_low, at_high = excess(np.exp(low)), excess(np.exp(high))
+    is_sky, has_answer = excess(np.zeros(len(counts))) <= 0, at_high <= 0
+    found = falling_roots(
+        lambda ln_density: excess(np.exp(np.nan_to_num(ln_density))),
+        low, high, at_low, at_high, ~is_sky & has_answer, _HALVINGS,
+    )  # fmt: skip
+    answer = np.where(has_answer, np.exp(found), np.nan)
     return np.where(np.isnan(ln_counts), np.nan, np.where(is_sky, 0.0, answer))
 
 

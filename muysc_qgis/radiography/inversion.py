@@ -7,15 +7,12 @@ import numpy as np
 from ..progress import Progress, silent
 from .batches import blocks, checked
 from .energy_loss import csda_range, range_law
+from .roots import falling_roots
 from .settings import Physics, check_altitude
 from .transmission import Sky, open_sky_start_gev
 
-#: Relative accuracy of the flux at the opacity found.
-_TOLERANCE = 1e-7
-
-#: Halvings of the energy range before the faster search, and more steps than any ray needs.
+#: Halvings of the energy range before the faster search.
 _HALVINGS = 3
-_STEPS = 100
 
 
 def opacity_from_flux(
@@ -72,7 +69,7 @@ def _highest_energy(physics: Physics) -> float:
 
 
 def _search(flux: np.ndarray, sky: Sky, highest_gev: float) -> np.ndarray:
-    """Return the opacities of one block by halving, then the Illinois method.
+    """Return the opacities of one block.
 
     The unknown is ln of the minimum energy, in which ln I is nearly straight.
     """
@@ -92,23 +89,6 @@ def _search(flux: np.ndarray, sky: Sky, highest_gev: float) -> np.ndarray:
     high = np.full(flux.shape, np.log(highest_gev))
     at_low, at_high = np.log(sky.open_sky) - ln_flux, excess(high)
     is_sky, has_answer = at_low <= 0, at_high <= 0
-    middle, before = low, is_sky
-    for step in range(_STEPS):
-        if step < _HALVINGS:
-            middle = 0.5 * (low + high)
-        else:
-            with np.errstate(invalid="ignore", divide="ignore"):
-                middle = (low * at_high - high * at_low) / (at_high - at_low)
-            # Rays without an answer have no root between the ends.
-            middle = np.clip(middle, low, high)
-        at_middle = excess(middle)
-        beyond = at_middle > 0
-        # An end that stays for a second time counts half, so that it will move too.
-        weight = np.where((beyond == before) & (step > _HALVINGS), 0.5, 1.0)
-        at_high = np.where(beyond, weight * at_high, at_middle)
-        at_low = np.where(beyond, at_middle, weight * at_low)
-        before = beyond
-        low, high = np.where(beyond, middle, low), np.where(beyond, high, middle)
-        if not np.any((np.abs(at_middle) > _TOLERANCE) & ~is_sky & has_answer):
-            break
-    return np.where(is_sky, 0.0, np.where(has_answer, opacity_at(middle), np.nan))
+    sought = ~is_sky & has_answer
+    found = falling_roots(excess, low, high, at_low, at_high, sought, _HALVINGS)
+    return np.where(is_sky, 0.0, np.where(has_answer, opacity_at(found), np.nan))
