@@ -76,27 +76,6 @@ def feasibility_days(
         return sigma**2 * flux / (acceptance_cm2_sr * difference**2)
 
 
-def relative_density_error(counts: np.ndarray, slope: np.ndarray) -> np.ndarray:
-    """Return the relative error of a mean density that counting statistics leave.
-
-    σρ/ρ = N^-1/2/|dlnI/dlnϱ|.
-
-    Parameters
-    ----------
-    counts
-        Number N of muons, any shape.
-    slope
-        dlnI/dlnϱ of the flux with the opacity; broadcasts with the counts.
-
-    Returns
-    -------
-    numpy.ndarray
-        NaN where there are no counts or the flux does not depend on the opacity.
-    """
-    counts, slope = np.asarray(counts, dtype=float), np.abs(slope)
-    return 1.0 / np.sqrt(np.where(counts > 0, counts, np.nan)) / np.where(slope > 0, slope, np.nan)
-
-
 def check_positive(value: float | np.ndarray, name: str) -> None:
     """Refuse what is not above 0 and finite; NaN among several values is unknown, not wrong."""
     values = np.asarray(value, dtype=float)

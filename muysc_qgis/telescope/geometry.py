@@ -102,8 +102,3 @@ class TelescopeGeometry:
             math.degrees(math.atan(self.bars_x * self.step)),
             math.degrees(math.atan(self.bars_y * self.step)),
         )
-
-    @property
-    def panel_area_cm2(self) -> float:
-        """Area of one plane in cm²."""
-        return self.bars_x * self.bars_y * self.pixel_size_cm**2

@@ -97,31 +97,3 @@ class System:
         length = self.paths.forward(np.ones(self.paths.shape[1])).astype(float)
         weights = self.weights()
         return float(np.sum(weights * length * self.data) / np.sum(weights * length**2))
-
-
-def data_from_opacity(
-    opacity_g_cm2: np.ndarray,
-    length_inside_m: np.ndarray,
-    length_m: np.ndarray,
-    reference_density: float,
-) -> np.ndarray:
-    """Return data from opacities, the rock outside the volume taken off.
-
-    Parameters
-    ----------
-    opacity_g_cm2
-        (n_rays,) opacity along the whole ray, g/cm²; NaN where unknown.
-    length_inside_m
-        (n_rays,) length in rock inside the volume, m.
-    length_m
-        (n_rays,) length in rock along the whole ray, m.
-    reference_density
-        Density of the rock outside, g/cm³.
-
-    Returns
-    -------
-    numpy.ndarray
-        b = ϱ/100 − ρ₀ (L − L_inside), g/cm³ m.
-    """
-    outside = np.maximum(np.asarray(length_m) - length_inside_m, 0.0)
-    return np.asarray(opacity_g_cm2) / GRAMS_PER_CM2 - reference_density * outside

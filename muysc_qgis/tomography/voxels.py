@@ -150,18 +150,6 @@ class VoxelGrid:
             )
 
 
-def slice_up(grid: VoxelGrid, values: np.ndarray, up_m: float) -> np.ndarray:
-    """Return the (east, north) slice of a volume at a height.
-
-    Raises
-    ------
-    MuyscError
-        If the height is outside the volume or the values do not fit it.
-    """
-    grid.check(values)
-    return values[:, :, grid.level_at(up_m)]
-
-
 def view(grid: VoxelGrid, values: np.ndarray, name: str) -> np.ndarray:
     """Return a volume summed along an axis: each voxel's value times its edge.
 

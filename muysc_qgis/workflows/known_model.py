@@ -9,7 +9,15 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..radiography.settings import MAXIMUM_DENSITY_G_CM3
-from ..tomography.phantoms import Body, checkerboard, conduit, prism, share_inside, sphere
+from ..tomography.phantoms import (
+    Body,
+    checkerboard,
+    conduit,
+    prism,
+    share_inside,
+    sphere,
+    with_body,
+)
 from ..tomography.voxels import VoxelGrid
 from .volume_frame import VolumeFrame
 
@@ -128,7 +136,7 @@ def density_in(
     shares: list[np.ndarray] = []
     for body in bodies:
         share = share_inside(grid, body.inside)
-        density += share * (body.density - density)
+        density = with_body(density, share, body.density)
         shares.append(share)
     return density, shares
 

@@ -7,7 +7,6 @@ from muysc_qgis.errors import MuyscError
 from muysc_qgis.radiography.counting import (
     exposure_days,
     feasibility_days,
-    relative_density_error,
 )
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.transmission import attenuate
@@ -65,17 +64,3 @@ def test_feasibility_grows_with_the_square_of_the_significance():
     assert three == pytest.approx(9 * one)
     assert np.isinf(feasibility_days(np.array(1.0), np.array(1.0), 5.0))
     assert np.isnan(feasibility_days(np.array(np.nan), np.array(1.0), 5.0))
-
-
-def test_density_error_of_counts():
-    assert relative_density_error(np.array(100.0), -2.0) == pytest.approx(0.05)
-    assert np.isnan(relative_density_error(np.array(0.0), -2.0))
-    assert np.isnan(relative_density_error(np.array(100.0), 0.0))
-
-
-def test_density_error_is_the_error_of_the_inversion():
-    # A Poisson error on the flux moves the opacity that explains it by the same share.
-    slope = np.log(flux(OPACITY * 1.001) / flux(OPACITY / 1.001)) / (2 * np.log(1.001))
-    error = relative_density_error(np.array(1e4), slope)
-    fewer = flux(OPACITY * (1 + error))
-    np.testing.assert_allclose(fewer / flux(OPACITY), 1 - 1e4**-0.5, rtol=1e-3)

@@ -13,7 +13,7 @@ from muysc_qgis.tomography.rays import Rays
 from muysc_qgis.tomography.solvers import METHODS, Options, art, bayes, method_of, reconstruct
 from muysc_qgis.tomography.solvers.options import Settings, start_vector
 from muysc_qgis.tomography.solvers.total_variation import norm
-from muysc_qgis.tomography.system import System, data_from_opacity
+from muysc_qgis.tomography.system import System
 from muysc_qgis.tomography.voxels import VoxelGrid
 
 GRID = VoxelGrid((0, 0, 0), (10, 10, 10), (4, 4, 3))
@@ -328,13 +328,6 @@ def test_noisy_rays_count_less(truth):
 def test_the_best_homogeneous_density(truth):
     assert system_of(np.full(48, 2.4)).homogeneous() == pytest.approx(2.4, rel=1e-6)
     assert start_vector(system_of(np.full(48, 2.4)), None) == pytest.approx(np.full(48, 2.4))
-
-
-def test_rock_outside_the_volume_is_taken_off_at_the_reference_density():
-    data = data_from_opacity(
-        np.array([26500.0, np.nan]), np.array([60.0, 60.0]), np.array([100.0, 100.0]), 2.65
-    )
-    assert np.allclose(data, [265 - 2.65 * 40, np.nan], equal_nan=True)
 
 
 @pytest.mark.parametrize("ordering", ["interleaved", "sequential", "random"])

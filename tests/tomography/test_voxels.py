@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import MuyscError
-from muysc_qgis.tomography.voxels import VoxelGrid, slice_up, view
+from muysc_qgis.tomography.voxels import VoxelGrid, view
 
 
 def test_whole_voxels_cover_an_extent():
@@ -41,10 +41,9 @@ def test_air_counts_nothing_and_columns_of_air_are_unknown():
 
 def test_a_slice_is_found_by_its_height():
     grid = VoxelGrid((0, 0, 100), (1, 1, 10), (1, 1, 3))
-    values = np.arange(3.0).reshape(1, 1, 3)
-    assert [slice_up(grid, values, height)[0, 0] for height in (100, 109, 110, 130)] == [0, 0, 1, 2]
+    assert [grid.level_at(height) for height in (100, 109, 110, 130)] == [0, 0, 1, 2]
     with pytest.raises(MuyscError, match=r"131 m is outside the volume.*100 to 130"):
-        slice_up(grid, values, 131)
+        grid.level_at(131)
 
 
 @pytest.mark.parametrize(
