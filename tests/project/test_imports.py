@@ -203,6 +203,12 @@ def test_no_file_is_longer_than_400_lines(tracked):
     assert {name: length for name, length in lengths.items() if length > 400} == {}
 
 
+def test_files_of_tests_have_names_of_their_own(tracked):
+    names = [path.name for path in tracked if path.match("tests/*/test_*.py")]
+    assert len(names) > 50
+    assert sorted(names) == sorted(set(names))
+
+
 @pytest.mark.parametrize(
     ("code", "found"),
     [

@@ -1,4 +1,4 @@
-"""Tomography from a shell."""
+"""Reconstruction methods compared from a shell."""
 
 import re
 
