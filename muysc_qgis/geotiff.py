@@ -1,4 +1,4 @@
-"""Rasters that are written whole, or refused in one sentence."""
+"""Rasters that are read or written whole, or refused in one sentence."""
 
 from __future__ import annotations
 
@@ -8,12 +8,43 @@ import traceback
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
+import numpy as np
+
 from .errors import MuyscError, detail_of
 
-Writer = TypeVar("Writer", bound=Callable[..., Any])
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def raster_writer(function: Writer) -> Writer:
+def raster_reader(function: Function) -> Function:
+    """Let a function that reads the raster `path` refuse in one sentence.
+
+    A damaged file may fail wherever GDAL first needs a part of it.
+
+    Raises
+    ------
+    MuyscError
+        If GDAL cannot read the file.
+    """
+    signature = inspect.signature(function)
+
+    @functools.wraps(function)
+    def read(*arguments: Any, **options: Any) -> Any:
+        from osgeo import gdal
+
+        gdal.UseExceptions()
+        try:
+            return function(*arguments, **options)
+        except RuntimeError as error:
+            path = signature.bind(*arguments, **options).arguments["path"]
+            raise MuyscError(
+                f"The raster {path} cannot be read ({detail_of(error)}); check that the file is "
+                "complete."
+            ) from error
+
+    return cast(Function, read)
+
+
+def raster_writer(function: Function) -> Function:
     """Let a function that writes the raster `path` refuse in one sentence.
 
     Raises
@@ -39,7 +70,34 @@ def raster_writer(function: Writer) -> Writer:
                 "another place."
             ) from None
 
-    return cast(Writer, write)
+    return cast(Function, write)
+
+
+def as_float32(values: np.ndarray, what: str) -> np.ndarray:
+    """Return values as a raster holds them.
+
+    Raises
+    ------
+    MuyscError
+        If a value is too large for that.
+    """
+    largest = np.finfo(np.float32).max
+    beyond = np.abs(values) > largest
+    if beyond.any():
+        raise MuyscError(
+            f"The {what} reaches {values[beyond][0]:g}, beyond the ±{largest:.3g} that a raster "
+            "holds; check the numbers that it comes from."
+        )
+    return values.astype(np.float32)
+
+
+def metadata_of(dataset: Any, domain: str) -> dict[str, str]:
+    """Return what a raster says of itself, with signs that are no text replaced."""
+    return {_text(key): _text(value) for key, value in dataset.GetMetadata(domain).items()}
+
+
+def _text(value: str | bytes) -> str:
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else value
 
 
 def _let_go(error: BaseException) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import __version__
 from .errors import MuyscError, detail_of
-from .geotiff import raster_writer
+from .geotiff import as_float32, metadata_of, raster_reader, raster_writer
 from .quantities import QUANTITIES, Quantity
 
 #: GDAL metadata domain of everything a later step needs to know.
@@ -224,7 +224,7 @@ def write_grid(
     band.SetNoDataValue(float("nan"))
     band.SetDescription(kind.label)
     band.SetUnitType(kind.unit)
-    band.WriteArray(grid.values.astype(np.float32))
+    band.WriteArray(as_float32(grid.values, kind.title.lower()))
     band.FlushCache()
     dataset.FlushCache()
     del band, dataset
@@ -254,6 +254,7 @@ def read_muogram(path: str | Path) -> Muogram:
     return Muogram(grid.quantity, grid.values, grid.x, grid.y, grid.metadata)
 
 
+@raster_reader
 def read_grid(path: str | Path) -> Grid:
     """Read a raster of directions, whatever its axes mean.
 
@@ -265,12 +266,11 @@ def read_grid(path: str | Path) -> Grid:
     """
     from osgeo import gdal
 
-    gdal.UseExceptions()
     try:
         dataset = gdal.Open(str(path))
     except RuntimeError as error:
         raise MuyscError(f"The muogram {path} cannot be opened: {detail_of(error)}.") from error
-    metadata = dict(dataset.GetMetadata(DOMAIN))
+    metadata = metadata_of(dataset, DOMAIN)
     quantity = metadata.pop("QUANTITY", None)
     metadata.pop("UNIT", None)
     metadata.pop("VERSION", None)
@@ -291,10 +291,7 @@ def read_grid(path: str | Path) -> Grid:
             "a muogram has azimuth to the right and elevation upwards."
         )
     band = dataset.GetRasterBand(1)
-    try:
-        values = band.ReadAsArray().astype(float)
-    except RuntimeError as error:
-        raise MuyscError(f"The muogram {path} cannot be read: {detail_of(error)}.") from error
+    values = band.ReadAsArray().astype(float)
     no_data = band.GetNoDataValue()
     if no_data is not None and not np.isnan(no_data):
         values[values == no_data] = np.nan

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import __version__
 from .errors import MuyscError, detail_of
-from .geotiff import raster_writer
+from .geotiff import as_float32, metadata_of, raster_reader, raster_writer
 from .muogram import DOMAIN, as_text
 from .quantities import Quantity
 from .tomography.voxels import VoxelGrid
@@ -127,13 +127,15 @@ def write_volume(volume: Volume, path: str | Path) -> None:
         band.SetNoDataValue(float("nan"))
         band.SetDescription(band_name(height))
         band.SetUnitType(volume.kind.unit)
-        band.WriteArray(volume.values[:, ::-1, level].T.astype(np.float32))
+        values = volume.values[:, ::-1, level].T
+        band.WriteArray(as_float32(values, volume.kind.title.lower()))
         band.FlushCache()
         del band
     dataset.FlushCache()
     del dataset
 
 
+@raster_reader
 def read_volume(path: str | Path) -> Volume:
     """Read a volume.
 
@@ -144,12 +146,11 @@ def read_volume(path: str | Path) -> Volume:
     """
     from osgeo import gdal
 
-    gdal.UseExceptions()
     try:
         dataset = gdal.Open(str(path))
     except RuntimeError as error:
         raise MuyscError(f"The volume {path} cannot be opened: {detail_of(error)}.") from error
-    metadata = dict(dataset.GetMetadata(DOMAIN))
+    metadata = metadata_of(dataset, DOMAIN)
     quantity = metadata.get("QUANTITY", "")
     try:
         base, height = float(metadata["BASE"]), float(metadata["VOXEL_HEIGHT"])
@@ -168,11 +169,8 @@ def read_volume(path: str | Path) -> Volume:
         )
     columns, rows, slices = dataset.RasterXSize, dataset.RasterYSize, dataset.RasterCount
     values = np.empty((columns, rows, slices))
-    try:
-        for level in range(slices):
-            values[:, :, level] = dataset.GetRasterBand(level + 1).ReadAsArray()[::-1].T
-    except RuntimeError as error:
-        raise MuyscError(f"The volume {path} cannot be read: {detail_of(error)}.") from error
+    for level in range(slices):
+        values[:, :, level] = dataset.GetRasterBand(level + 1).ReadAsArray()[::-1].T
     grid = VoxelGrid(
         (left, top + rows * step_y, base), (step_x, -step_y, height), (columns, rows, slices)
     )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import MuyscError, detail_of
+from ..geotiff import raster_reader
 from .heights import LOWEST_M, PEAK_M, UNFLAGGED_NO_DATA_M, metres_per_unit
 
 if TYPE_CHECKING:
@@ -84,10 +85,10 @@ class Dem:
             # Longitudes count from the raster's middle, so that neither the
             # antimeridian nor 0…360 longitudes break a path.
             middle = (step_x * self.columns + skew_x * self.rows) / 2
-            with np.errstate(invalid="ignore"):
+            with np.errstate(invalid="ignore", over="ignore"):
                 dx = middle + (dx - middle + self._turn / 2) % self._turn - self._turn / 2
         # What has no place in the CRS comes as infinity and has none here, NaN.
-        with np.errstate(invalid="ignore"):
+        with np.errstate(invalid="ignore", over="ignore"):
             column = (step_y * dx - skew_x * dy) / determinant - 0.5
             row = (step_x * dy - skew_y * dx) / determinant - 0.5
         return column, row
@@ -205,6 +206,7 @@ class Dem:
         return float(np.sum(weights[weights > 0] * corners[weights > 0]))
 
 
+@raster_reader
 def open_dem(path: str | Path, band: int = 1, crs: str | None = None, unit: str = "auto") -> Dem:
     """Open an elevation raster.
 
@@ -228,7 +230,6 @@ def open_dem(path: str | Path, band: int = 1, crs: str | None = None, unit: str 
     """
     from osgeo import gdal
 
-    gdal.UseExceptions()
     name = Path(path).name
     try:
         dataset = gdal.Open(str(path))

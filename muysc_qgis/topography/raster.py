@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from .. import __version__
-from ..geotiff import raster_writer
+from ..geotiff import as_float32, raster_writer
 from ..muogram import DOMAIN, as_text
 from ..quantities import Quantity
 from .drape import DrapedBlock
@@ -92,7 +92,7 @@ def write_on_grid(
     band.SetDescription(quantity.label)
     band.SetUnitType(quantity.unit)
     for block in blocks:
-        band.WriteArray(block.values.astype(np.float32), 0, block.first_row)
+        band.WriteArray(as_float32(block.values, name), 0, block.first_row)
         known += int(np.count_nonzero(np.isfinite(block.values)))
     dataset.FlushCache()
     del band, dataset

@@ -17,7 +17,7 @@ from ...muysc_qgis.muogram import Muogram, read_muogram
 from ...muysc_qgis.trajectories import read_view
 from ...muysc_qgis.views import View
 from ..compat import RASTERS
-from .terrain import raster_layer
+from .terrain import opened_layer, raster_layer
 from .values import explained, given
 
 
@@ -64,8 +64,7 @@ def _path(
     if not given(parameters, name):
         raise MuyscError(f"{name} is missing; choose a muogram.")
     value = parameters[name]
-    layer = algorithm.parameterAsRasterLayer(parameters, name, context)
-    if (layer is None or not layer.isValid()) and isinstance(value, str):
+    if opened_layer(algorithm, parameters, name, context) is None and isinstance(value, str):
         # Opening it again will tell why QGIS could not.
         return value
     return raster_layer(algorithm, parameters, name, context).source()
@@ -96,7 +95,11 @@ def read_view_layers(
     if not given(parameters, name):
         return []
     value = parameters[name]
-    layers = algorithm.parameterAsLayerList(parameters, name, context)
+    try:
+        layers = algorithm.parameterAsLayerList(parameters, name, context)
+    except Exception:
+        # So a damaged file shows that fails deep inside QGIS.
+        layers = []
     paths = [layer.source() for layer in layers]
     asked = value if isinstance(value, list) else [value]
     if len(paths) < len(asked):

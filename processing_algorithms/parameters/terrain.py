@@ -76,8 +76,8 @@ def raster_layer(
     MuyscError
         If there is none.
     """
-    layer = algorithm.parameterAsRasterLayer(parameters, name, context)
-    if layer is None or not layer.isValid():
+    layer = opened_layer(algorithm, parameters, name, context)
+    if layer is None:
         value = parameters.get(name)
         if isinstance(value, str) and value:
             # Opening it again tells why QGIS could not.
@@ -90,3 +90,18 @@ def raster_layer(
             "values cannot be read exactly; save it as GeoTIFF and choose that."
         )
     return layer
+
+
+def opened_layer(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> QgsRasterLayer | None:
+    """Return a raster layer, None where QGIS cannot open it."""
+    try:
+        layer = algorithm.parameterAsRasterLayer(parameters, name, context)
+    except Exception:
+        # So a damaged file shows that fails deep inside QGIS.
+        return None
+    return layer if layer is not None and layer.isValid() else None
