@@ -29,22 +29,6 @@ def with_bytes_changed(tmp_path, explore, attempt):
     return try_files
 
 
-@pytest.fixture
-def with_claims_changed(tmp_path, explore, attempt):
-    """Try an algorithm on rasters that say other things of themselves."""
-
-    def try_rasters(sources, parameters_of):
-        def case(drawn):
-            source, claim = drawn
-            target = tmp_path / Path(source).name
-            misstate(Path(source), target, claim)
-            attempt(*parameters_of(str(target)))
-
-        explore(st.tuples(st.sampled_from(sources), claims), case)
-
-    return try_rasters
-
-
 def _radiography(dem):
     return "radiography", {"DEM": dem, **SIGHT, **RASTERS}
 
@@ -53,8 +37,13 @@ def test_terrain_in_geotiff(with_bytes_changed, scene):
     with_bytes_changed([*scene.dems, *scene.odd_dems], _radiography)
 
 
-def test_terrain_that_claims_absurd_things(with_claims_changed, scene):
-    with_claims_changed(scene.dems, _radiography)
+def test_terrain_that_claims_absurd_things(tmp_path, explore, attempt, scene):
+    def case(drawn):
+        source, claim = drawn
+        misstate(Path(source), tmp_path / "dem.tif", claim)
+        attempt(*_radiography(str(tmp_path / "dem.tif")))
+
+    explore(st.tuples(st.sampled_from(scene.dems), claims), case)
 
 
 def test_terrain_in_hgt(with_bytes_changed, scene):
@@ -91,41 +80,43 @@ def test_layers_of_sites(with_bytes_changed, scene):
     with_bytes_changed(scene.layers["points"], at_sites)
 
 
-def _uses(scene):
-    """Return who takes a muogram of each quantity, with the other parameters."""
-    dem = {"DEM": scene.dems[0]}
-    volume = {"EXTENT": "451000,452000,4518400,4519400 [EPSG:32633]", "VOXELS": 8}
-    of_density = {"TRANSMISSION": scene.muograms["transmission"][0], "DENSITY": "*d.tif"}
-    return {
-        "thickness": [
-            ("muonflux", "THICKNESS", {"FLUX": "*f.tif"}),
-            ("density", "THICKNESS", of_density),
-            ("drape", "MUOGRAM", {**dem, "OUTPUT": "*o.tif"}),
-            ("importmuogram", "REFERENCE", {"INPUT": scene.tables[0], "OUTPUT": "*m.tif"}),
-            ("tomography", "MUOGRAMS", {**dem, **volume, "DENSITY": "*d.tif"}),
-        ],
-        "opacity": [("muonflux", "OPACITY", {"FLUX": "*f.tif"})],
-        "counts": [
-            ("density", "COUNTS", {
-                "THICKNESS": scene.muograms["thickness"][2], "DENSITY": "*d.tif",
-            }),
-            ("drape", "MUOGRAM", {**dem, "OUTPUT": "*o.tif"}),
-        ],
-        "transmission": [
-            ("density", "TRANSMISSION", {
-                "THICKNESS": scene.muograms["thickness"][0], "DENSITY": "*d.tif",
-            }),
-        ],
-    }  # fmt: skip
+#: Algorithms, the parameter that takes a muogram, its quantity, and the other parameters.
+USES = [
+    ("muonflux", "THICKNESS", "thickness", {"FLUX": "*f.tif"}),
+    ("muonflux", "OPACITY", "opacity", {"FLUX": "*f.tif"}),
+    ("drape", "MUOGRAM", "thickness", {"DEM": "dem", "OUTPUT": "*o.tif"}),
+    ("importmuogram", "REFERENCE", "thickness", {"INPUT": "table", "OUTPUT": "*m.tif"}),
+    ("density", "THICKNESS", "thickness", {"TRANSMISSION": "transmission", "DENSITY": "*d.tif"}),
+    ("density", "TRANSMISSION", "transmission", {"THICKNESS": "thickness", "DENSITY": "*d.tif"}),
+    ("density", "COUNTS", "counts", {"THICKNESS": "in tangents", "DENSITY": "*d.tif"}),
+    ("tomography", "MUOGRAMS", "thickness", {
+        "DEM": "dem", "EXTENT": "451000,452000,4518400,4519400 [EPSG:32633]", "VOXELS": 8,
+        "DENSITY": "*d.tif",
+    }),
+]  # fmt: skip
 
 
-@pytest.mark.parametrize("quantity", ["thickness", "opacity", "counts", "transmission"])
-def test_muograms(with_bytes_changed, with_claims_changed, scene, quantity):
-    source = scene.muograms[quantity][:1]
-    for algorithm, parameter, others in _uses(scene)[quantity]:
+@pytest.mark.parametrize(
+    ("algorithm", "parameter", "quantity", "others"), USES, ids=[f"{a}-{p}" for a, p, *_ in USES]
+)
+def test_muograms(tmp_path, explore, attempt, scene, algorithm, parameter, quantity, others):
+    files = {
+        "dem": scene.dems[0],
+        "table": scene.tables[0],
+        "in tangents": scene.muograms["thickness"][2],
+        "thickness": scene.muograms["thickness"][0],
+        "transmission": scene.muograms["transmission"][0],
+    }
+    others = {name: files.get(value, value) for name, value in others.items()}
+    source = Path(scene.muograms[quantity][0])
+    target = tmp_path / source.name
 
-        def use(path, algorithm=algorithm, parameter=parameter, others=others):
-            return algorithm, {**others, parameter: path}
+    def case(drawn):
+        change, how = drawn
+        change(source, target, how)
+        attempt(algorithm, {**others, parameter: str(target)})
 
-        with_bytes_changed(source, use)
-        with_claims_changed(source, use)
+    cases = st.one_of(
+        st.tuples(st.just(mutate), edits), *[st.tuples(st.just(misstate), claims)] * 2
+    )
+    explore(cases, case)
