@@ -3,6 +3,7 @@
 import importlib.util
 import os
 import re
+import subprocess
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -23,8 +24,12 @@ def installed(qgis_process, tmp_path_factory):
     spec = importlib.util.spec_from_file_location("package", ROOT / "tools" / "package.py")
     package = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(package)
+    try:
+        commit = package.git("rev-parse", "HEAD").strip()
+    except (OSError, subprocess.CalledProcessError):
+        pytest.skip("not a git checkout with a commit")
     home = tmp_path_factory.mktemp("stranger")
-    package.pack(home / "muysc.zip")
+    package.pack(home / "muysc.zip", commit)
     plugins = home / "settings" / PLUGINS
     with zipfile.ZipFile(home / "muysc.zip") as content:
         content.extractall(plugins)
