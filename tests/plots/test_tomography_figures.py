@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 from muysc_qgis.errors import MuyscError
 from muysc_qgis.plots.provenance import Provenance
@@ -189,7 +190,7 @@ def in_the_page(figure):
     """Whether every text ends within the page."""
     figure.draw_without_rendering()
     width, height = figure.canvas.get_width_height()
-    for text in figure.findobj(lambda artist: hasattr(artist, "get_text")):
+    for text in figure.findobj(Text):
         if not text.get_text() or not text.get_visible():
             continue
         box = text.get_window_extent()
@@ -199,8 +200,6 @@ def in_the_page(figure):
 
 
 def texts(figure):
-    from matplotlib.text import Text
-
     return [one.get_text() for one in figure.findobj(Text)]
 
 

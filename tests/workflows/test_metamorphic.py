@@ -152,7 +152,8 @@ def test_two_halves_of_a_field_of_view_make_the_whole(terrain):
     ]  # fmt: skip
     for quantity in ("thickness", "flux", "distance"):
         both = np.concatenate([side[quantity].values for side in sides], axis=1)
-        np.testing.assert_allclose(both, whole[quantity].values, rtol=1e-9, atol=1e-9)
+        # Directions differ in their last digit, which counts most at the skyline.
+        np.testing.assert_allclose(both, whole[quantity].values, rtol=1e-6, atol=1e-9)
 
 
 @pytest.mark.parametrize("border_m", [500.0, 650.0, 777.7])
