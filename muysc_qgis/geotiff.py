@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import inspect
 import traceback
@@ -107,7 +108,9 @@ def _let_go(error: BaseException) -> None:
     """
     from osgeo import gdal
 
-    gdal.DontUseExceptions()
+    # GDAL 3.6 refuses where other code has switched on those of its sister libraries since.
+    with contextlib.suppress(RuntimeError):
+        gdal.DontUseExceptions()
     gdal.PushErrorHandler("CPLQuietErrorHandler")
     try:
         traceback.clear_frames(error.__traceback__)

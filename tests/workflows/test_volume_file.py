@@ -1,5 +1,9 @@
 """Volumes as GeoTIFF: a band for each slice, on the map, and back."""
 
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 from osgeo import gdal
@@ -87,3 +91,24 @@ def test_what_does_not_fit_is_refused(volume):
         volume.with_values("coverage", volume.values[:2])
     with pytest.raises(MuyscError, match=r"cannot be written"):
         write_volume(volume, "/no/such/folder/file.tif")
+
+
+def test_other_code_may_have_switched_on_exceptions_since():
+    code = (
+        "from osgeo import gdal, ogr, osr\n"
+        "for one in (gdal, ogr, osr): one.UseExceptions()\n"
+        "from muysc_qgis.errors import MuyscError\n"
+        "from muysc_qgis.geotiff import raster_writer\n"
+        "@raster_writer\n"
+        "def write(path): gdal.GetDriverByName('GTiff').Create(path, 4, 4)\n"
+        "try: write('/no/such/folder/file.tif')\n"
+        "except MuyscError as error: print(error)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=Path(__file__).parents[2],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stdout.startswith("The raster /no/such/folder/file.tif cannot be written"), done
