@@ -48,6 +48,15 @@ class Cluster:
                 cwd=self.folder, env=environment, stdout=log, stderr=log,
             )  # fmt: skip
 
+    def employ(self, *names):
+        """Have workers of these names that find the plugin, and no others."""
+        for name in {*self.processes} - {"scheduler", *names}:
+            self.kill(name)
+        self._wait_for(lambda: self.workers() == len(self.processes) - 1)
+        for name in names:
+            if name not in self.processes:
+                self.start_worker(name)
+
     def start_worker(self, name, plugin=ROOT):
         before = self.workers()
         self._start(
@@ -93,29 +102,26 @@ def alone(job, tmp_path):
     return run_job(job, tmp_path / "alone.partial", workers=0)
 
 
-# In this order: each test finds the cluster as the one before left it.
-
-
 def test_a_scheduler_without_workers_is_one_sentence(cluster, job, tmp_path):
+    cluster.employ()
     with pytest.raises(MuyscError, match="has no workers; start at least one"):
         run_job(job, tmp_path / "x.partial", scheduler=cluster.address)
 
 
 def test_a_worker_without_the_plugin_is_named(cluster, job, tmp_path):
+    cluster.employ()
     cluster.start_worker("bare", plugin=None)
     with pytest.raises(MuyscError, match=r"worker tcp://.* cannot find the plugin.*PYTHONPATH"):
         run_job(job, tmp_path / "x.partial", scheduler=cluster.address)
-    cluster.kill("bare")
-    cluster._wait_for(lambda: cluster.workers() == 0)
 
 
 def test_two_workers_give_what_this_machine_gives(cluster, job, alone, tmp_path):
-    cluster.start_worker("first")
-    cluster.start_worker("second")
+    cluster.employ("first", "second")
     assert run_job(job, tmp_path / "x.partial", scheduler=cluster.address) == alone
 
 
 def test_cancelling_keeps_what_is_finished(cluster, job, alone, tmp_path):
+    cluster.employ("first", "second")
     with pytest.raises(Cancelled):
         run_job(
             job, tmp_path / "x.partial", scheduler=cluster.address,
@@ -126,6 +132,7 @@ def test_cancelling_keeps_what_is_finished(cluster, job, alone, tmp_path):
 
 
 def test_a_worker_killed_half_way_changes_nothing(cluster, job, alone, tmp_path):
+    cluster.employ("first", "second")
     killed = []
 
     def kill_one(fraction):
@@ -142,6 +149,7 @@ def test_a_worker_killed_half_way_changes_nothing(cluster, job, alone, tmp_path)
 
 def test_data_lost_with_its_worker_is_sent_again(cluster, job, alone):
     """The only worker dies, and another comes: the data goes to that one."""
+    cluster.employ("first")
     wanted = {block: range(2 * block, 2 * block + 2) for block in range(COUNT // 2)}
     results = {}
     for block, part in compute_on_cluster(job, wanted, cluster.address, lambda: None):
