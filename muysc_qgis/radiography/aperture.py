@@ -12,6 +12,8 @@ from ..errors import MuyscError
 #: Arrays of float64 alive at once per pixel of a simulation, for the estimate
 #: in the refusal of absurd pixel counts.
 _ARRAYS_PER_PIXEL = 24
+#: Narrowest pixel (degrees): 0.2 mm at 10 km, far above the rounding of directions.
+_NARROWEST_DEG = 1e-6
 #: Largest memory (bytes) that a simulation may plan to take.
 MEMORY_LIMIT = 8 * 2**30
 
@@ -34,12 +36,17 @@ class Aperture:
     def __post_init__(self) -> None:
         _check_width("azimuth", self.azimuth_width_deg, 360.0)
         _check_width("elevation", self.elevation_width_deg, 180.0)
-        for name, count in (
-            ("azimuth", self.azimuth_pixels),
-            ("elevation", self.elevation_pixels),
+        for name, width, count in (
+            ("azimuth", self.azimuth_width_deg, self.azimuth_pixels),
+            ("elevation", self.elevation_width_deg, self.elevation_pixels),
         ):
             if count < 1:
                 raise MuyscError(f"{count} {name} pixels make no muogram; give at least 1.")
+            if width < count * _NARROWEST_DEG:
+                raise MuyscError(
+                    f"Pixels of {width / count:.3g}° in {name} are too narrow to tell apart (the "
+                    f"least is {_NARROWEST_DEG:g}°); widen the aperture or use fewer pixels."
+                )
         pixels = self.azimuth_pixels * self.elevation_pixels
         memory = pixels * _ARRAYS_PER_PIXEL * 8
         if memory > MEMORY_LIMIT:

@@ -87,6 +87,12 @@ def grid_over(crs: CRS, x: np.ndarray, y: np.ndarray, spacing_m: float) -> MapGr
     """
     if not 0 < spacing_m < math.inf:
         raise MuyscError(f"A spacing of {spacing_m:g} m is impossible; give a length above 0 m.")
+    widest = float(max(np.ptp(x), np.ptp(y)))
+    if widest > spacing_m * _MOST_CELLS:
+        raise MuyscError(
+            f"A spacing of {spacing_m:g} m makes more cells in one row than the {_MOST_CELLS:,} of "
+            f"the limit; give at least {math.ceil(widest / math.sqrt(_MOST_CELLS))} m."
+        )
     left, right = math.floor(x.min() / spacing_m), math.floor(x.max() / spacing_m) + 1
     bottom, top = math.floor(y.min() / spacing_m), math.floor(y.max() / spacing_m) + 1
     columns, rows = right - left, top - bottom

@@ -101,7 +101,11 @@ def volume_grid(
     base = plan.base_m
     if base is None:
         below = up[inside & (up < top)]
-        base = float(np.quantile(below, _LEFT_OUT_BELOW)) if below.size else -np.inf
+        if not below.size:
+            raise MuyscError(
+                f"No ray meets rock below the top of the volume at {top:g} m; give a higher top."
+            )
+        base = float(np.quantile(below, _LEFT_OUT_BELOW))
     if not base < top:
         raise MuyscError(
             f"The base of the volume at {base:g} m is not below its top at {top:g} m, the highest "
