@@ -47,6 +47,7 @@ def assert_one_sentence(said):
         ({"MUONS": -1}, ("number of muons is -1;",)),
         ({"AZIMUTH_APERTURE": 0}, ("azimuth aperture of 0°", "360°")),
         ({"AZIMUTH_APERTURE": 361}, ("azimuth aperture of 361°", "360°")),
+        ({"AZIMUTH_APERTURE": 1e-300}, ("too narrow", "widen")),
         ({"ELEVATION_APERTURE": -5}, ("elevation aperture of -5°", "180°")),
         ({"ELEVATION_APERTURE": 170}, ("past ±90°", "at most")),
         ({"AZIMUTH_PIXELS": 0}, ("0 azimuth pixels", "at least 1")),
@@ -103,6 +104,16 @@ def test_files_that_are_no_elevation(refused, data_folder, tmp_path):
     dataset.SetGeoTransform((14, 0.1, 0, 41, 0, -0.1))
     del dataset
     assert "picture" in refused(DEM=str(picture))
+
+
+def test_a_number_beyond_what_a_raster_holds(refused, tmp_path):
+    table = tmp_path / "table.csv"
+    table.write_text("azimuth,elevation,flux\n1,2,1e300\n2,2,1\n")
+    outputs = {"OUTPUT": str(tmp_path / "outputs" / "m.tif")}
+    base = {"INPUT": str(table), "QUANTITY": "flux", **outputs}
+    said = refused("importmuogram", base)
+    assert_one_sentence(said)
+    assert "1e+300" in said
 
 
 def test_a_muogram_is_not_a_dem(refused, run, vesuvius, tmp_path):
