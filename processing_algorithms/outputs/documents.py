@@ -96,52 +96,63 @@ def stage_drawn(
 ) -> dict[str, str]:
     """Draw and stage panel and report where wanted; return files by output name.
 
-    `panel` draws; `report` takes what the run was made from. Where a
-    library for drawing is missing, a warning says so and the rasters are written all the
-    same.
+    `panel` draws; `report` takes what the run was made from. What a missing library keeps from
+    being drawn is left out with a warning, and everything else is written all the same.
     """
-    staged = {
-        name: staging.add(path, inputs)
-        for name in _SUFFIXES
-        if (path := destination(algorithm, parameters, name, context, _SUFFIXES[name]))
-    }
-    if not staged:
-        return {}
-    try:
+    pictures: list[bytes] = []
+
+    def write_the_report(path: Path) -> None:
         from ...muysc_qgis.plots.provenance import Provenance
         from ...muysc_qgis.plots.report import Row, write_report
+
+        provenance = Provenance(
+            [Row(*row) for row in told(algorithm, parameters, context)],
+            _files(algorithm, parameters, written),
+            QDateTime.currentDateTime().toString("yyyy-MM-dd HH:mm"),
+            {"QGIS": Qgis.QGIS_VERSION, "GDAL": gdal.__version__},
+        )
+        content = report(provenance)
+        pictures.extend(figure.png for figure in content.figures if figure.is_panel)
+        write_report(path, content)
+
+    def write_the_panel(path: Path) -> None:
         from ...muysc_qgis.plots.style import png_bytes
 
-        drawn = None
-        if "REPORT" in staged:
-            provenance = Provenance(
-                [Row(*row) for row in told(algorithm, parameters, context)],
-                _files(algorithm, parameters, written),
-                QDateTime.currentDateTime().toString("yyyy-MM-dd HH:mm"),
-                {"QGIS": Qgis.QGIS_VERSION, "GDAL": gdal.__version__},
-            )
-            content = report(provenance)
-            write_report(staged["REPORT"], content)
-            # The report may hold the panel already: drawing takes longer than all else.
-            drawn = next((figure.png for figure in content.figures if figure.is_panel), None)
-        if "PANEL" in staged:
-            staged["PANEL"].write_bytes(png_bytes(panel()) if drawn is None else drawn)
+        # The report may hold it already: drawing takes longer than all else.
+        path.write_bytes(pictures[0] if pictures else png_bytes(panel()))
+
+    results, left_out = {}, {}
+    for name, write in (("REPORT", write_the_report), ("PANEL", write_the_panel)):
+        path = destination(algorithm, parameters, name, context, _SUFFIXES[name])
+        if path is None:
+            continue
+        temporary = staging.add(path, inputs)
+        library = _missing_for(write, temporary)
+        if library is None:
+            results[name] = path
+        else:
+            staging.give_up(temporary)
+            left_out[english_label(algorithm.parameterDefinition(name))] = library
+    if left_out:
+        what, libraries = " and ".join(left_out), " and ".join(sorted({*left_out.values()}))
+        feedback.pushWarning(
+            f"Left out: {what}, for want of the Python library {libraries}; everything else was "
+            "written."
+        )
+    return results
+
+
+def _missing_for(write: Callable[[Path], None], path: Path) -> str | None:
+    """Write a document; return the library without which that cannot be done, None if it was."""
+    try:
+        write(path)
     except (ImportError, MuyscError) as error:
         # The page itself says in a sentence what it misses.
         missing = error if isinstance(error, ImportError) else error.__cause__
         if not isinstance(missing, ImportError):
             raise
-        for temporary in staged.values():
-            staging.give_up(temporary)
-        library = (missing.name or "").partition(".")[0]
-        feedback.pushWarning(
-            f"Panel and report need the Python library {library}, which is missing; everything "
-            "else was written without them."
-        )
-        return {}
-    return {
-        name: destination(algorithm, parameters, name, context, _SUFFIXES[name]) for name in staged
-    }
+        return (missing.name or "").partition(".")[0]
+    return None
 
 
 def _files(

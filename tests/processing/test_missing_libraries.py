@@ -151,6 +151,7 @@ def test_without_pictures_everything_else_is_written(
     run(name, parameters, feedback)
     assert written(name)
     assert not (tmp_path / "REPORT.html").exists()
+    assert (tmp_path / "PANEL.png").exists() == (library == "jinja2")
     assert len([warning for warning in feedback.warnings if library in warning]) == 1
 
 
