@@ -34,7 +34,9 @@ def exposure_days(
     check_positive(acceptance_cm2_sr, "acceptance in cm² sr")
     check_positive(muons, "number of muons")
     rate = np.asarray(flux_per_cm2_sr_day, dtype=float) * acceptance_cm2_sr
-    return muons / np.where(rate > 0, rate, np.nan)
+    # Longer than a number can say is infinitely long.
+    with np.errstate(over="ignore"):
+        return muons / np.where(rate > 0, rate, np.nan)
 
 
 def feasibility_days(
