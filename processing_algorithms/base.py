@@ -151,7 +151,7 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
                 staging.by_destination(_trouble_with_files(error))
             ) from error
         except Cancelled:
-            raise QgsProcessingException("Cancelled; nothing was written.") from None
+            raise QgsProcessingException("Cancelled; no output was written.") from None
         except ImportError as error:
             raise QgsProcessingException(missing_library(error)) from error
         except MemoryError:

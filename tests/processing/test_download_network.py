@@ -211,5 +211,5 @@ def test_a_cancel_is_heard_while_nothing_comes(
         # The server stalls for a minute: only a cancel ends it before.
         assert worker.wait(30_000)
     canceller.join()
-    assert said == ["Cancelled; nothing was written."]
+    assert said == ["Cancelled; no output was written."]
     assert list(tmp_path.iterdir()) == []

@@ -216,7 +216,7 @@ def test_cancelling_leaves_nothing(run, setting, recorder, tmp_path):
     from qgis.core import QgsProcessingException
 
     for percent in (5, 40):
-        with pytest.raises(QgsProcessingException, match="Cancelled; nothing was written"):
+        with pytest.raises(QgsProcessingException, match="Cancelled; no output was written"):
             run("tomography", {**setting, "METHOD": "tv"}, recorder(cancel_at=percent))
         assert list(tmp_path.iterdir()) == []
 
