@@ -136,8 +136,8 @@ def stage_drawn(
     if left_out:
         what, libraries = " and ".join(left_out), " and ".join(sorted({*left_out.values()}))
         feedback.pushWarning(
-            f"Left out: {what}, for want of the Python library {libraries}; everything else was "
-            "written."
+            f"Without the Python library {libraries}, which is missing, {what} were left out; "
+            "everything else was written."
         )
     return results
 
