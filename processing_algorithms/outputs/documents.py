@@ -134,9 +134,9 @@ def stage_drawn(
             staging.give_up(temporary)
             left_out[english_label(algorithm.parameterDefinition(name))] = library
     if left_out:
-        what, libraries = " and ".join(left_out), " and ".join(sorted({*left_out.values()}))
+        what, libraries = " and no ".join(left_out), " and ".join(sorted({*left_out.values()}))
         feedback.pushWarning(
-            f"Without the Python library {libraries}, which is missing, {what} were left out; "
+            f"Without the Python library {libraries}, which is missing, there is no {what}; "
             "everything else was written."
         )
     return results
