@@ -161,7 +161,7 @@ def test_blocks_of_another_job_are_not_taken(job, plan, places, tmp_path):
 def test_the_fingerprint_follows_the_data(job, change):
     array = np.array(job.arrays[change])
     array.flat[-1] += 1e-9 * abs(array.flat[-1])
-    changed = type(job)(job.function, job.settings, {**job.arrays, change: array}, job.items)
+    changed = replace(job, arrays={**job.arrays, change: array})
     assert changed.fingerprint != job.fingerprint
 
 
