@@ -141,7 +141,7 @@ def test_a_second_run_replaces_its_own_files_and_says_so(run, survey, feedback):
     assert "1 other rasters, such as site_99_flux.tif" in said
 
 
-def test_a_file_of_others_is_never_replaced(run, survey, feedback):
+def test_a_file_of_others_is_never_replaced(run, survey):
     from qgis.core import QgsProcessingException
 
     kept = Path(survey["FOLDER"]) / "site_02_opacity.tif"

@@ -108,18 +108,17 @@ def test_only_the_terrain_within_the_range_is_held(plan, places):
     assert near.size < whole.size / 2
 
 
-def test_held_terrain_is_the_file_with_its_gaps_and_units(write_gaps):
-    dem = write_gaps
-    settings, arrays = hold(dem, (0, 0, dem.columns, dem.rows))
+def test_held_terrain_is_the_file_with_its_gaps_and_units(gaps):
+    settings, arrays = hold(gaps, (0, 0, gaps.columns, gaps.rows))
     held = held_dem(settings, arrays)
-    np.testing.assert_array_equal(held.read(1, 2, 3, 4), dem.read(1, 2, 3, 4))
+    np.testing.assert_array_equal(held.read(1, 2, 3, 4), gaps.read(1, 2, 3, 4))
     assert np.isnan(held.read(0, 0, 5, 5)).sum() == 1
     for column, row in ((0.5, 0.25), (3.75, 4.0)):
-        assert held.heights_at(column, row) == dem.heights_at(column, row)
+        assert held.heights_at(column, row) == gaps.heights_at(column, row)
 
 
 @pytest.fixture
-def write_gaps(tmp_path):
+def gaps(tmp_path):
     """A DEM in decimetres with an offset and one gap."""
     from osgeo import gdal, osr
 
@@ -143,28 +142,28 @@ def write_gaps(tmp_path):
     return open_dem(path)
 
 
-def test_terrain_that_is_not_held_is_refused(write_gaps):
-    settings, arrays = hold(write_gaps, (2, 2, 3, 3))
+def test_terrain_that_is_not_held_is_refused(gaps):
+    settings, arrays = hold(gaps, (2, 2, 3, 3))
     held = held_dem(settings, arrays)
-    np.testing.assert_array_equal(held.read(2, 2, 3, 3), write_gaps.read(2, 2, 3, 3))
+    np.testing.assert_array_equal(held.read(2, 2, 3, 3), gaps.read(2, 2, 3, 3))
     for window in ((1, 2, 2, 2), (3, 3, 3, 2)):
         with pytest.raises(MuyscError, match="beyond the part in memory"):
             held.read(*window)
 
 
-def test_the_body_is_the_cylinder_under_the_ground(write_flat):
+def test_the_body_is_the_cylinder_under_the_ground(plane):
     """Volume and mean height of a cylinder under a plane: points of equal volume."""
-    body = target_body(write_flat, (500000.0, 4500000.0), 300.0, 200.0)
+    body = target_body(plane, (500000.0, 4500000.0), 300.0, 200.0)
     assert len(body.place) == pytest.approx(3000, rel=0.05)
     # The ground at the target is at 1000 m; the plane's mean over a circle is its middle.
     assert body.height_m.mean() == pytest.approx(900 + 300**2 * 0.1**2 / 4 / (2 * 200), rel=2e-3)
     assert body.height_m.min() > 800
-    frame_x, frame_y = write_flat.crs_position(body.column, body.row)
+    frame_x, frame_y = plane.crs_position(body.column, body.row)
     assert np.hypot(frame_x - 500000, frame_y - 4500000).max() <= 300.2
 
 
 @pytest.fixture
-def write_flat(tmp_path):
+def plane(tmp_path):
     """A plane that rises by 0.1 eastwards, 1000 m high in the middle."""
     from osgeo import gdal, osr
 
