@@ -30,7 +30,7 @@ ROOT = Path(__file__).resolve().parent.parent
 DEM = ROOT / "tests" / "data" / "vesuvius_srtmgl1.tif"
 TARGET = (14.424745, 40.823729)
 RADIUS_M = 4000.0
-#: A tenth of the survey that is asked for, so that it stays bearable; it is linear.
+#: Time grows in proportion, so that these tell that of 10 000.
 COUNTS = (250, 1000)
 
 

@@ -52,7 +52,7 @@ def run_job(
     job
         What to compute.
     folder
-        Where finished blocks are kept until `BlockFolder.remove`.
+        Where finished blocks are kept until `remove_finished`.
     workers
         Number of worker processes, 0 or 1 for none but this one, None for one for each
         processor.
