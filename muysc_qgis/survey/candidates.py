@@ -17,6 +17,20 @@ from .masks import Mask
 from .roads import distance_to_lines
 
 
+def check_slope(slope_deg: float | None) -> None:
+    """Refuse a steepest slope, degrees or None for any, that leaves or limits nothing.
+
+    Raises
+    ------
+    MuyscError
+        If it is not above 0° and up to 90°.
+    """
+    if slope_deg is not None and not 0 < slope_deg <= 90:
+        raise MuyscError(
+            f"A slope of {slope_deg:g}° is no limit; give degrees above 0 and up to 90."
+        )
+
+
 @dataclass(frozen=True)
 class Limits:
     """What a place must keep to; None is no limit.
@@ -43,10 +57,7 @@ class Limits:
                 f"Distances from {self.nearest_m:g} to {self.farthest_m:g} m leave no place; give "
                 "a first one of 0 m or more and a larger second one."
             )
-        if self.slope_deg is not None and not 0 < self.slope_deg <= 90:
-            raise MuyscError(
-                f"A slope of {self.slope_deg:g}° is no limit; give degrees above 0 and up to 90."
-            )
+        check_slope(self.slope_deg)
         if self.road_m is not None and not 0 < self.road_m < np.inf:
             raise MuyscError(
                 f"A distance of {self.road_m:g} m to roads leaves no place; give one above 0 m."

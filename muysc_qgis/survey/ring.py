@@ -12,6 +12,7 @@ from ..topography.dem import Dem
 from ..topography.frame import LocalFrame, ground_height, local_frame
 from ..topography.relief import dem_cell_m
 from ..topography.sampling import heights_at
+from .candidates import check_slope
 
 #: Share of the way to the target, from the telescope, on which no ground may be in the way: on
 #: the rest it is the mountain itself that hides the target.
@@ -68,10 +69,7 @@ class Ring:
                 f"Places on a ring of {self.radius_m:g} m cannot be moved by "
                 f"{self.tolerance_m:g} m; give 0 or more, less than the radius."
             )
-        if self.slope_deg is not None and not 0 < self.slope_deg <= 90:
-            raise MuyscError(
-                f"A slope of {self.slope_deg:g}° is no limit; give degrees above 0 and up to 90."
-            )
+        check_slope(self.slope_deg)
         if not (np.isfinite(self.from_deg) and np.isfinite(self.to_deg)):
             raise MuyscError("The azimuths of an arc must be finite; give degrees.")
         if self.count > 1 and self.width_deg == 0:
