@@ -14,6 +14,11 @@ QUANTITIES = (
     "THICKNESS", "OPACITY", "MINIMUM_ENERGY", "FLUX", "OPEN_SKY", "TRANSMISSION", "EXPOSURE",
     "DISTANCE",
 )  # fmt: skip
+#: What later steps, and scripts of users, find in every muogram.
+KEYS = {
+    "QUANTITY", "UNIT", "DETECTOR_LON", "DETECTOR_LAT", "DETECTOR_ELEVATION", "BORESIGHT_AZIMUTH",
+    "BORESIGHT_ELEVATION", "DENSITY", "FLUX_MODEL", "ENERGY_LOSS", "VERSION",
+}  # fmt: skip
 
 
 def read(path):
@@ -29,6 +34,18 @@ def everything(vesuvius, tmp_path):
         "PANEL": str(tmp_path / "panel.png"),
         "REPORT": str(tmp_path / "report.html"),
     }
+
+
+@pytest.mark.parametrize(
+    ("parameter", "value"),
+    [
+        ("AZIMUTH_PIXELS", 100), ("ELEVATION_PIXELS", 100), ("MAX_RANGE", None), ("DENSITY", None),
+        ("FLUX_MODEL", "gaisser-tang"), ("ENERGY_LOSS", "csda"), ("ACCEPTANCE", 6), ("MUONS", 10),
+    ],
+)  # fmt: skip
+def test_scripts_rely_on_the_defaults(provider, parameter, value):
+    definition = provider.algorithm("radiography").parameterDefinition(parameter)
+    assert definition.defaultValue() == value
 
 
 def test_every_output_is_written_and_declared(run, provider, everything):
@@ -78,6 +95,7 @@ def test_muogram_rasters_describe_themselves(run, everything):
     assert np.isnan(band.GetNoDataValue())
     assert band.DataType == gdal.GDT_Float32
     metadata = dataset.GetMetadata("MUYSC")
+    assert metadata.keys() >= KEYS
     assert metadata["QUANTITY"] == "flux"
     assert metadata["FLUX_MODEL"] == "gaisser-tang"
     assert metadata["ENERGY_LOSS"] == "csda"

@@ -33,6 +33,11 @@ print(json.dumps({
         ],
         "files": [one.name() for one in algorithm.destinationParameterDefinitions()],
         "outputs": [one.name() for one in algorithm.outputDefinitions()],
+        "words": {
+            one.name(): one.options()
+            for one in algorithm.parameterDefinitions()
+            if hasattr(one, "options")
+        },
     }
     for algorithm in plugin.provider.algorithms()
 }))
