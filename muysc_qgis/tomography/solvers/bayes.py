@@ -11,10 +11,8 @@ from ...errors import MuyscError
 from ...progress import Progress, part, report
 from ..libraries import scipy_part
 from ..system import System
+from .least_squares import solve_linear
 from .options import Reconstruction, Settings, misfit
-
-#: Relative accuracy of the linear solutions.
-_ACCURACY = 1e-6
 
 #: Most rays for which the posterior's errors are computed in full.
 _MOST_DENSE = 2000
@@ -48,17 +46,16 @@ def solve(system: System, settings: Settings, progress: Progress) -> Reconstruct
         else np.full(system.lattice.count, settings.prior_density)
     )
     residual = system.data - system.paths.forward(prior)
-    draws = settings.posterior_samples if settings.deviation else 0
     n_rays, n_unknowns = system.paths.shape
     small = n_rays <= _MOST_DENSE and n_rays * n_unknowns <= _MOST_NUMBERS
-    dense = settings.deviation and small
-    whole = part(progress, 0.0, 1.0 if dense or not draws else 1.0 / (1 + draws))
-    change, done, finished = posterior.update(residual, whole)
+    draws = settings.posterior_samples if settings.deviation and not small else 0
+    share = 1.0 / (1 + draws)
+    change, done, finished = posterior.update(residual, part(progress, 0.0, share))
     deviation = None
-    if dense:
+    if settings.deviation and small:
         deviation = posterior.full_deviation()
     elif draws:
-        deviation = posterior.sampled_deviation(draws, part(progress, 1.0 / (1 + draws), 1.0))
+        deviation = posterior.sampled_deviation(draws, part(progress, share, 1.0))
     report(progress, 1.0)
     values = prior + change
     after = system.data - system.paths.forward(values)
@@ -92,26 +89,19 @@ class _Posterior:
         With C = B Bᵀ it is B z for the z that minimises ‖Σ^-½ (residual − A B z)‖² + ‖z‖². LSMR
         lowers that from the first step on, so that too few of them leave a smoother model.
         """
-        linear = scipy_part("sparse.linalg")
-        paths, scale, most = self.system.paths, self.scale, self.settings.iterations
-        products = [0]
+        paths, scale = self.system.paths, self.scale
 
         def forward(z: np.ndarray) -> np.ndarray:
-            products[0] += 1
-            report(progress, min(1.0, products[0] / (most + 1)))
             return scale * paths.forward(self.covariance.root(z))
 
         def back(y: np.ndarray) -> np.ndarray:
             return self.covariance.root_transposed(paths.back(scale * y))
 
-        operator = linear.LinearOperator(
-            (paths.shape[0], self.covariance.root_size), matvec=forward, rmatvec=back, dtype=float
-        )
-        solution, reason, done = linear.lsmr(
-            operator, scale * residual, damp=1.0, atol=_ACCURACY, btol=_ACCURACY, conlim=0,
-            maxiter=most,
-        )[:3]  # fmt: skip
-        return self.covariance.root(solution), int(done), reason != 7
+        solution, done, finished = solve_linear(
+            forward, back, scale * residual, self.covariance.root_size, self.settings.iterations,
+            progress, damp=1.0,
+        )  # fmt: skip
+        return self.covariance.root(solution), done, finished
 
     def full_deviation(self) -> np.ndarray:
         """Return √diag(C − C Aᵀ (A C Aᵀ + Σ)⁻¹ A C)."""
