@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Union
 
 import numpy as np
 
 from .errors import MuyscError
-from .muogram import DOMAIN, Muogram
+from .muogram import Muogram
 from .trajectories import TrajectoryMap
 
 #: One quantity seen from one place, on directions of either kind.
@@ -17,6 +18,7 @@ View = Union[Muogram, TrajectoryMap]
 #: Directions of two views may differ by this share of a pixel.
 _SAME_PIXEL = 1e-3
 
+#: π/180 of the mean radius of WGS 84, 6371 km, rounded.
 _METRES_PER_DEGREE = 111_200.0
 
 
@@ -37,33 +39,7 @@ def like(
     view: View, quantity: str, values: np.ndarray, metadata: Mapping[str, str | float]
 ) -> View:
     """Return another quantity on the directions of a view."""
-    if isinstance(view, Muogram):
-        return Muogram(quantity, values, view.azimuth_deg, view.elevation_deg, metadata)
-    return TrajectoryMap(quantity, values, view.x, view.y, metadata)
-
-
-def metadata_number(view: View, key: str) -> float:
-    """Return a metadata entry as a number.
-
-    Raises
-    ------
-    MuyscError
-        If the entry is missing or no number.
-    """
-    if isinstance(view, Muogram):
-        return view.number(key)
-    if key not in view.metadata:
-        raise MuyscError(
-            f"The {view.quantity} raster lacks the metadata key {key} (domain {DOMAIN}); make it "
-            "with a MUYSC algorithm or set the key."
-        )
-    try:
-        return float(view.metadata[key])
-    except ValueError:
-        raise MuyscError(
-            f"The metadata key {key} of the {view.quantity} raster is “{view.metadata[key]}”, "
-            "which is not a number; set it to one."
-        ) from None
+    return replace(view, quantity=quantity, values=values, metadata=metadata)
 
 
 def require_quantity(view: View, quantities: tuple[str, ...], name: str) -> None:
@@ -92,7 +68,7 @@ def require_same_directions(one: View, name: str, other: View, other_name: str) 
     same = _same_axes(one, other)
     if same and isinstance(one, TrajectoryMap):
         keys = ("BORESIGHT_AZIMUTH", "BORESIGHT_ELEVATION", "ROLL")
-        apart = np.array([metadata_number(one, key) - metadata_number(other, key) for key in keys])
+        apart = np.array([one.number(key) - other.number(key) for key in keys])
         # A thousandth of a pixel again, roughly: tangents are near radians.
         step = np.degrees(min(one.pixel_size))
         same = bool(np.all(np.abs(_around(apart)) <= _SAME_PIXEL * step))
@@ -133,8 +109,7 @@ def metres_apart(one: View, other: View) -> float:
     """Return the rough distance of two detectors (m), NaN where one is not known."""
     try:
         (lon, lat), (other_lon, other_lat) = (
-            (metadata_number(view, "DETECTOR_LON"), metadata_number(view, "DETECTOR_LAT"))
-            for view in (one, other)
+            (view.number("DETECTOR_LON"), view.number("DETECTOR_LAT")) for view in (one, other)
         )
     except MuyscError:
         return float("nan")

@@ -16,7 +16,6 @@ from ..radiography.counting import check_positive
 from ..views import (
     View,
     elevation_of,
-    metadata_number,
     require_quantity,
     require_same_directions,
     require_same_pixels,
@@ -128,4 +127,4 @@ def _known(value: float | None, view: View, key: str, name: str) -> float:
             f"The {name} is neither given nor in the counts' metadata (key {key}); give it here, "
             "or when the counts are imported."
         )
-    return metadata_number(view, key)
+    return view.number(key)

@@ -24,7 +24,6 @@ from ..views import (
     View,
     elevation_of,
     like,
-    metadata_number,
     metres_apart,
     require_quantity,
     require_same_directions,
@@ -156,9 +155,7 @@ def density_behind(
         altitude_m = 0.0
         if physics.altitude_correction:
             known = "DETECTOR_ELEVATION" in measured.values.metadata
-            altitude_m = metadata_number(
-                measured.values if known else thickness, "DETECTOR_ELEVATION"
-            )
+            altitude_m = (measured.values if known else thickness).number("DETECTOR_ELEVATION")
     scene = Scene(
         thickness.values,
         elevation_of(thickness),
