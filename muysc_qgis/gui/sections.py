@@ -14,9 +14,6 @@ from ..topography.section import terrain_section
 from .preview import Preview
 from .texts import tr
 
-#: Resolution (dots per inch) of the picture of a section.
-_DPI = 130
-
 
 @dataclass(frozen=True)
 class RaySection:
@@ -50,7 +47,7 @@ class RaySection:
                 azimuth=azimuth_label(round(self.azimuth_deg, 1))
             ),
         )
-        return png_bytes(figure, _DPI)
+        return png_bytes(figure)
 
 
 def section_of(preview: Preview, row: int, column: int) -> RaySection:

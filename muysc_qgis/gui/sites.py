@@ -69,6 +69,11 @@ def make_layer(crs: QgsCoordinateReferenceSystem) -> QgsVectorLayer:
     return layer
 
 
+def numbered(number: int) -> str:
+    """Return the name of a site that has been given none."""
+    return tr("Site {number}").format(number=number)
+
+
 def sites_of(layer: QgsVectorLayer) -> list[Site]:
     """Return the sites of a layer, which may lack names and heights."""
     names = layer.fields().names()
@@ -82,7 +87,7 @@ def sites_of(layer: QgsVectorLayer) -> list[Site]:
         sites.append(
             Site(
                 feature.id(),
-                str(name) if name else tr("Site {number}").format(number=feature.id()),
+                str(name) if name else numbered(feature.id()),
                 Place.of(geometry.centroid().asPoint(), layer.crs()),
                 float(height) if isinstance(height, (int, float)) else 0.0,
             )

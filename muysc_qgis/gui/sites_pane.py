@@ -94,14 +94,13 @@ class SitesPane(QWidget):
             return
         layer = sites.find_layer() or sites.make_layer(self._canvas.mapSettings().destinationCrs())
         taken = {site.name for site in self.listed}
-        number = next(n for n in range(1, len(taken) + 2) if _numbered(n) not in taken)
-        self._change(lambda: sites.add_site(layer, _numbered(number), place, height))
+        number = next(n for n in range(1, len(taken) + 2) if sites.numbered(n) not in taken)
+        self._change(lambda: sites.add_site(layer, sites.numbered(number), place, height))
 
     def use_chosen(self) -> None:
         """Put the detector at the site chosen."""
         for site in self._chosen()[:1]:
-            plan = plan_at(self._planner.plan, site)
-            self._planner.change(plan)
+            self._planner.change(plan_at(self._planner.plan, site))
 
     def zoom_to_chosen(self) -> None:
         """Show the site chosen in the middle of the map."""
@@ -210,10 +209,6 @@ class SitesPane(QWidget):
         chosen = bool(self._chosen())
         for button in (self.use, self.zoom, self.remove):
             button.setEnabled(chosen)
-
-
-def _numbered(number: int) -> str:
-    return tr("Site {number}").format(number=number)
 
 
 def _row(figures: SiteFigures | None, failed: bool) -> tuple[str, ...]:
