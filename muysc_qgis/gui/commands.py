@@ -8,22 +8,23 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
+#: The algorithms that a plan is for.
+RADIOGRAPHY, EXPECTED_COUNTS = "muysc:radiography", "muysc:expectedcounts"
+
 #: Outputs that a line must name, by algorithm; files appear where it is run.
 _OUTPUTS = {
-    "muysc:radiography": {"THICKNESS": "thickness.tif", "FLUX": "flux.tif"},
-    "muysc:expectedcounts": {"COUNTS": "counts.tif"},
+    RADIOGRAPHY: {"THICKNESS": "thickness.tif", "FLUX": "flux.tif"},
+    EXPECTED_COUNTS: {"COUNTS": "counts.tif"},
 }
 
 
-def open_dialog(algorithm: str, parameters: Mapping[str, Any]) -> Any:
+def open_dialog(algorithm: str, parameters: Mapping[str, Any]) -> None:
     """Open the Processing dialog of an algorithm with its values filled in."""
     # The Processing plugin is there in the desktop only.
     import processing
 
     known = {name: value for name, value in parameters.items() if value not in (None, "")}
-    dialog = processing.createAlgorithmDialog(algorithm, known)
-    dialog.show()
-    return dialog
+    processing.createAlgorithmDialog(algorithm, known).show()
 
 
 def command_line(algorithm: str, parameters: Mapping[str, Any]) -> str:
@@ -32,7 +33,7 @@ def command_line(algorithm: str, parameters: Mapping[str, Any]) -> str:
     Parameters
     ----------
     algorithm
-        Its id, “muysc:radiography”.
+        `RADIOGRAPHY` or `EXPECTED_COUNTS`.
     parameters
         Values by name; None is left out.
     """

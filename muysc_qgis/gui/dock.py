@@ -30,8 +30,6 @@ from .sites_pane import SitesPane
 from .texts import tr
 from .widgets import folded_box
 
-_RADIOGRAPHY, _EXPECTED_COUNTS = "muysc:radiography", "muysc:expectedcounts"
-
 #: Width (dots) that a button may shrink to.
 _NARROWEST = 60
 
@@ -94,7 +92,9 @@ class PlanningDock(QgsDockWidget):
 
     def _parameters(self, algorithm: str, dem: str) -> dict[str, Any]:
         plan = self.planner.plan
-        return plan.radiography(dem) if algorithm == _RADIOGRAPHY else plan.expected_counts(dem)
+        if algorithm == commands.RADIOGRAPHY:
+            return plan.radiography(dem)
+        return plan.expected_counts(dem)
 
     # How it is put together.
 
@@ -122,8 +122,8 @@ class PlanningDock(QgsDockWidget):
         """Return a button that asks for one of the two algorithms."""
         menu = QMenu(self)
         for algorithm, title in (
-            (_RADIOGRAPHY, tr("Muon radiography")),
-            (_EXPECTED_COUNTS, tr("Expected counts in a telescope")),
+            (commands.RADIOGRAPHY, tr("Muon radiography")),
+            (commands.EXPECTED_COUNTS, tr("Expected counts in a telescope")),
         ):
             menu.addAction(title, partial(do, algorithm))
         button = QToolButton()
