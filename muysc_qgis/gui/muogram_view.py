@@ -45,16 +45,9 @@ class MuogramView(QWidget):
         #: Why there is no muogram.
         self.reason = ""
 
-    @property
-    def scene(self) -> Scene | None:
-        """What is shown."""
-        return self._scene
-
     def show_scene(self, scene: Scene) -> None:
         """Show a muogram."""
         self._scene = scene
-        if self._marked is not None and not _holds(scene, self._marked):
-            self._marked = None
         self.setCursor(Qt.CursorShape.CrossCursor)
         self.update()
 
@@ -141,7 +134,3 @@ class MuogramView(QWidget):
         if self._marked is not None:
             self.mark(None)
             self.left.emit()
-
-
-def _holds(scene: Scene, pixel: tuple[int, int]) -> bool:
-    return all(0 <= index < size for index, size in zip(pixel, scene.sky.shape))

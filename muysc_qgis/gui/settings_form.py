@@ -127,7 +127,8 @@ class SettingsForm(QWidget):
     def show_plan(self, plan: Plan) -> None:
         """Show a plan without telling that something was edited."""
         self._plan = plan
-        widgets = [*self.findChildren(QDoubleSpinBox), self.dem, *_boxes(self)]
+        lists = (self.dem, self.preset, self.material, self.model)
+        widgets = [*self.findChildren(QDoubleSpinBox), *lists]
         for widget in widgets:
             widget.blockSignals(True)
         self._show_layer(plan.dem)
@@ -221,10 +222,6 @@ def _choice(entries: dict[str, str]) -> QComboBox:
 
 def _choose(box: QComboBox, name: str) -> None:
     box.setCurrentIndex(max(0, box.findData(name)))
-
-
-def _boxes(form: SettingsForm) -> list[QComboBox]:
-    return [form.preset, form.material, form.model]
 
 
 def _number(low: float, high: float, decimals: int, unit: str) -> QDoubleSpinBox:
