@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..quantities import QUANTITIES
-from ..survey.choice import coverage
+from ..survey.choice import AZIMUTHS_DEG, coverage
 from ..workflows.site_assessment import SurveyPlan
 from ..workflows.site_selection import Selection
 from . import charts, style, ticks
@@ -143,9 +143,9 @@ def _draw_rose(figure: Figure, selection: Selection) -> None:
     axes.set_theta_direction(-1)
     chosen = selection.telescopes
     azimuth, score = selection.candidates.azimuth_deg, np.nan_to_num(selection.numbers["score"])
-    middle = np.radians(np.arange(0.5, 360.0))
+    middle = np.radians(AZIMUTHS_DEG)
     turn = np.append(middle, middle[0])
-    best = np.zeros(360)
+    best = np.zeros(len(AZIMUTHS_DEG))
     np.maximum.at(best, np.floor(azimuth % 360.0).astype(int) % 360, score)
     axes.bar(middle, best, width=np.radians(1.0), color="#b9b9b9", linewidth=0, zorder=1)
     covered = coverage(azimuth[chosen], score[chosen], selection.width_deg)

@@ -6,8 +6,8 @@ import numpy as np
 
 from ..errors import MuyscError
 
-#: Azimuths around the target on which coverage is counted: one a degree.
-_AZIMUTHS = np.arange(0.5, 360.0, 1.0)
+#: Azimuths around the target (degrees) on which coverage is counted: one a degree.
+AZIMUTHS_DEG = np.arange(0.5, 360.0, 1.0)
 
 
 def best_sites(
@@ -49,7 +49,7 @@ def coverage(azimuth_deg: np.ndarray, score: np.ndarray, width_deg: float) -> np
     width_deg
         Angle beyond which a site says nothing.
     """
-    turn = np.abs((_AZIMUTHS[None, :] - azimuth_deg[:, None] + 180.0) % 360.0 - 180.0)
+    turn = np.abs((AZIMUTHS_DEG[None, :] - azimuth_deg[:, None] + 180.0) % 360.0 - 180.0)
     worth = score[:, None] * np.maximum(1.0 - turn / width_deg, 0.0)
     return np.max(worth, axis=0, initial=0.0)
 
@@ -86,7 +86,7 @@ def telescope_set(
     check_width(width_deg)
     able = _best_of_each_degree(azimuth_deg, score)
     worth = np.array([coverage(azimuth_deg[[one]], score[[one]], width_deg) for one in able])
-    covered = np.zeros(len(_AZIMUTHS))
+    covered = np.zeros(len(AZIMUTHS_DEG))
     chosen: list[int] = []
     means: list[float] = []
     while len(chosen) < count and len(able):
