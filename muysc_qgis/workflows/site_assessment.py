@@ -7,7 +7,7 @@ equal volume; each takes what the pixel in its direction holds.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -134,11 +134,11 @@ def assess(
     behind = known & (rock > 0)
     sky = np.count_nonzero(simulation.muograms["flux"].values[thickness.values == 0] > 0)
     return Assessment(
-        _median(days[seen]),
+        _known(np.median, days[seen]),
         float(np.mean(seen)),
-        _median(rock[behind]),
-        float(np.min(rock[behind])) if behind.any() else float("nan"),
-        float(np.max(rock[behind])) if behind.any() else float("nan"),
+        _known(np.median, rock[behind]),
+        _known(np.min, rock[behind]),
+        _known(np.max, rock[behind]),
         sky / thickness.values.size,
         float(np.mean(np.isnan(rock))),
         float(np.sum(plan.days / (plan.days + days[seen])) / len(seen)),
@@ -146,8 +146,9 @@ def assess(
     )
 
 
-def _median(values: np.ndarray) -> float:
-    return float(np.median(values)) if values.size else float("nan")
+def _known(summary: Callable[[np.ndarray], Any], values: np.ndarray) -> float:
+    """Return what sums up some values, NaN where there are none."""
+    return float(summary(values)) if values.size else float("nan")
 
 
 def survey_job(plan: SurveyPlan, candidates: np.ndarray) -> Job:
