@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -19,7 +19,7 @@ from qgis.core import (
 from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.muogram import read_muogram
 from ...muysc_qgis.staging import Staging
-from ...muysc_qgis.workflows.sites import StationMuograms
+from ...muysc_qgis.workflows.sites import StationMuograms, StationNumbers
 from ..compat import VECTOR_POINT
 from ..parameters.values import explained
 from .points import Point, write_points
@@ -27,17 +27,8 @@ from .rasters import stage_raster
 
 FOLDER, INDEX = "FOLDER", "INDEX"
 
-#: Fields of the index that hold numbers, by their names in `StationNumbers`.
-_NUMBERS: dict[str, type] = {
-    "detector_elevation_m": float,
-    "distance_m": float,
-    "boresight_azimuth_deg": float,
-    "boresight_elevation_deg": float,
-    "maximum_thickness_m": float,
-    "median_exposure_days": float,
-    "rock_pixels": int,
-    "unknown_pixels": int,
-}
+#: Fields of the index that hold numbers, with the Python type of each.
+_NUMBERS: dict[str, type] = get_type_hints(StationNumbers)
 
 
 def folder_output() -> QgsProcessingParameterDefinition:
