@@ -8,6 +8,7 @@ import queue
 import subprocess  # nosec B404
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -174,7 +175,9 @@ class _Crew:
             process.wait()
             for pipe in (process.stdin, process.stdout):
                 if pipe is not None:
-                    _close(pipe)
+                    # What was to be written may have no reader left.
+                    with suppress(OSError):
+                        pipe.close()
 
 
 def _start(folder: Path, number: int) -> subprocess.Popen[str]:
@@ -218,10 +221,3 @@ def _ask(process: subprocess.Popen[str], items: list[int] | None = None) -> dict
         return answer
     except (OSError, ValueError):  # a closed pipe, or half a line
         return None
-
-
-def _close(pipe: Any) -> None:
-    try:
-        pipe.close()
-    except OSError:  # what was to be written has no reader left
-        return
