@@ -9,9 +9,9 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ..progress import Progress
 from ..workflows.planning import SiteFigures, figures_of_site
+from .background import Background
 from .plan import Plan
-from .planner import request_for
-from .preview import Background
+from .preview import request_for
 from .sites import Site
 
 

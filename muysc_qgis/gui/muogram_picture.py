@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from qgis.PyQt.QtCore import QLineF, QPointF, QRectF, Qt
+from qgis.PyQt.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from qgis.PyQt.QtGui import (
     QColor,
     QFont,
@@ -82,6 +82,8 @@ class Layout:
     bar: QRectF
     #: Azimuth at the left and right edge, elevation at the lower and upper.
     limits_deg: tuple[float, float, float, float]
+    #: Number of rows and columns of pixels.
+    shape: tuple[int, ...]
 
     @classmethod
     def within(cls, room: QRectF, scene: Scene, font: QFont) -> Layout:
@@ -103,9 +105,8 @@ class Layout:
             frame.setWidth(width)
         frame.setHeight(max(height, 1.0))
         below = frame.bottom() + line * (2 + _TICK + 2 * _GAP)
-        return cls(
-            room, frame, QRectF(frame.left(), below, frame.width(), line * _BAR), scene.limits_deg
-        )
+        bar = QRectF(frame.left(), below, frame.width(), line * _BAR)
+        return cls(room, frame, bar, scene.limits_deg, scene.sky.shape)
 
     def point(self, azimuth_deg: float, elevation_deg: float) -> QPointF:
         """Return where a direction stands."""
@@ -115,13 +116,20 @@ class Layout:
             self.frame.bottom() - (elevation_deg - low) / (high - low) * self.frame.height(),
         )
 
-    def pixel(self, point: QPointF, shape: tuple[int, ...]) -> tuple[int, int] | None:
+    def box(self, row: int, column: int) -> QRectF:
+        """Return where a pixel stands, or would stand below or right of the last."""
+        rows, columns = self.shape
+        width, height = self.frame.width() / columns, self.frame.height() / rows
+        corner = self.frame.topLeft() + QPointF(column * width, row * height)
+        return QRectF(corner, QSizeF(width, height))
+
+    def pixel(self, point: QPointF) -> tuple[int, int] | None:
         """Return row and column of the pixel at a point, None beside the picture."""
         across = (point.x() - self.frame.left()) / self.frame.width()
         down = (point.y() - self.frame.top()) / self.frame.height()
         if not (0 <= across < 1 and 0 <= down < 1):
             return None
-        return int(down * shape[0]), int(across * shape[1])
+        return int(down * self.shape[0]), int(across * self.shape[1])
 
 
 def paint(
@@ -157,7 +165,7 @@ def paint(
     painter.setClipRect(layout.frame)
     _paint_target(painter, layout.point(*scene.target_deg))
     if marked is not None:
-        _paint_mark(painter, layout, scene, marked)
+        _paint_mark(painter, layout.box(*marked))
     painter.restore()
     return layout
 
@@ -178,16 +186,14 @@ def skyline(sky: np.ndarray, known: np.ndarray) -> tuple[np.ndarray, np.ndarray]
 
 def _paint_lines(painter: QPainter, layout: Layout, scene: Scene) -> None:
     """Paint the skyline, and the horizon."""
-    frame, (rows, columns) = layout.frame, scene.sky.shape
-    width, height = frame.width() / columns, frame.height() / rows
     below, beside = skyline(scene.sky, np.isfinite(scene.muogram.values) | scene.sky)
     lines = []
     for row, column in below.tolist():
-        start = QPointF(frame.left() + column * width, frame.top() + row * height)
-        lines.append(QLineF(start, start + QPointF(width, 0.0)))
+        box = layout.box(row, column)
+        lines.append(QLineF(box.topLeft(), box.topRight()))
     for row, column in beside.tolist():
-        start = QPointF(frame.left() + column * width, frame.top() + row * height)
-        lines.append(QLineF(start, start + QPointF(0.0, height)))
+        box = layout.box(row, column)
+        lines.append(QLineF(box.topLeft(), box.bottomLeft()))
     painter.setPen(QPen(QColor("black"), 1.2))
     painter.drawLines(lines)
     left, right, low, high = layout.limits_deg
@@ -336,16 +342,10 @@ def _paint_target(painter: QPainter, middle: QPointF) -> None:
     painter.drawPolygon(QPolygonF(corners))
 
 
-def _paint_mark(painter: QPainter, layout: Layout, scene: Scene, pixel: tuple[int, int]) -> None:
+def _paint_mark(painter: QPainter, box: QRectF) -> None:
     """Frame a pixel, large enough to be seen."""
-    rows, columns = scene.sky.shape
-    width, height = layout.frame.width() / columns, layout.frame.height() / rows
-    row, column = pixel
-    mark = QRectF(
-        layout.frame.left() + column * width, layout.frame.top() + row * height, width, height
-    )
-    margin = max(2.0, (_SMALLEST_MARK - width) / 2)
-    mark.adjust(-margin, -margin, margin, margin)
+    margin = max(2.0, (_SMALLEST_MARK - box.width()) / 2)
+    mark = box.adjusted(-margin, -margin, margin, margin)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for colour, thickness in (("black", 3.0), ("white", 1.4)):
         painter.setPen(QPen(QColor(colour), thickness))

@@ -66,7 +66,7 @@ class MuogramView(QWidget):
         """Return row and column of the pixel at a place in the widget."""
         if self._scene is None or self._layout is None:
             return None
-        return self._layout.pixel(position, self._scene.sky.shape)
+        return self._layout.pixel(position)
 
     def place_of(self, row: int, column: int) -> QPointF:
         """Return where in the widget a pixel's middle is."""

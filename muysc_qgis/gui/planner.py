@@ -4,37 +4,21 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from qgis.core import QgsPointXY, QgsProcessingContext, QgsProject, QgsRasterLayer
+from qgis.core import QgsPointXY, QgsProject, QgsRasterLayer
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ...processing_algorithms.radiography import Radiography
 from ..errors import MuyscError
+from .background import Background
 from .map_items import MapItems
 from .map_tools import PlaceTool
 from .plan import Place, Plan
-from .preview import Background, Preview, Request
+from .preview import Preview, request_for
 from .sections import RaySection, section_of
 from .texts import tr
 
 #: Where the project file keeps the plan.
 SCOPE, ENTRY = "muysc", "/plan"
-
-
-def request_for(plan: Plan, coarse: bool = False) -> Request:
-    """Read a plan as the algorithm reads its parameters, so that both compute the same.
-
-    Raises
-    ------
-    MuyscError
-        If something is missing or cannot be used.
-    """
-    algorithm = Radiography()
-    algorithm.initAlgorithm()
-    context = QgsProcessingContext()
-    context.setProject(QgsProject.instance())
-    inputs = algorithm.read(plan.radiography(plan.dem), context)
-    return Request(inputs, inputs.layer.crs(), plan.days, coarse)
 
 
 class Planner(QObject):

@@ -6,8 +6,8 @@ from qgis.PyQt.QtCore import QRectF, QSize, Qt
 from qgis.PyQt.QtGui import QImage, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QVBoxLayout, QWidget
 
+from .background import Background
 from .picture_actions import copy_picture, save_picture
-from .preview import Background
 from .sections import RaySection
 from .texts import tr
 from .widgets import wrapping_label

@@ -8,7 +8,7 @@ from qgis.PyQt.QtTest import QTest
 
 @pytest.fixture
 def background(gui):
-    background = gui("preview").Background()
+    background = gui("background").Background()
     background.told, background.problems = [], []
     background.computed.connect(background.told.append)
     background.failed.connect(background.problems.append)
@@ -124,7 +124,7 @@ def test_what_is_cancelled_is_never_told(background):
 def test_closing_waits_for_the_thread_and_tells_nothing(gui):
     threads = {*threading.enumerate()}
     gate, told = Gate("late"), []
-    background = gui("preview").Background()
+    background = gui("background").Background()
     background.computed.connect(told.append)
     background.submit(lambda: gate)
     gate.started.wait(5)
