@@ -1,4 +1,4 @@
-"""Charts on a page: axes at a place in inches, their headings, legends and round scales."""
+"""Charts on a page: axes at a place in inches, their legends and round scales."""
 
 from __future__ import annotations
 
@@ -34,19 +34,6 @@ def place(figure: Figure, left_in: float, top_in: float, width_in: float, height
     axes.grid(color="#e4e4e4", linewidth=0.5)
     axes.set_axisbelow(True)
     return axes
-
-
-def heading(figure: Figure, top_in: float, title: str, lines: Sequence[str]) -> None:
-    """Write title and lines of a section that starts below the top of a figure (inches)."""
-    width, height = figure.get_size_inches()
-    figure.text(
-        0.22 / width, 1 - (top_in + 0.12) / height, style.plain(title),
-        fontsize=style.TITLE_SIZE, fontweight="bold", color=style.INK, va="top", ha="left",
-    )  # fmt: skip
-    figure.text(
-        0.22 / width, 1 - (top_in + 0.37) / height, style.plain("\n".join(lines)),
-        fontsize=style.TEXT_SIZE, color=style.MUTED, va="top", ha="left", linespacing=1.25,
-    )  # fmt: skip
 
 
 def legend(

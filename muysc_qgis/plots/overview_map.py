@@ -85,7 +85,7 @@ def overview_map(
     heading = style.heading_height_in(title, lines) + 0.1
     page = heading + height + _BELOW_IN
     figure = style.new_figure(style.WIDTH_IN, page)
-    style.add_heading(figure, title, lines, 0.22)
+    style.add_heading(figure, title, lines)
     axes = figure.add_axes(
         (_LEFT_IN / style.WIDTH_IN, _BELOW_IN / page, width / style.WIDTH_IN, height / page)
     )

@@ -115,7 +115,7 @@ def section_panel(
     legend_height = _LEGEND_ROW_IN * (0.4 + rows)
     page = heading + height + _BELOW_IN + legend_height
     figure = style.new_figure(style.WIDTH_IN, page)
-    style.add_heading(figure, title, lines, 0.22)
+    style.add_heading(figure, title, lines)
     axes = figure.add_axes(
         (
             _LEFT_IN / style.WIDTH_IN,

@@ -7,6 +7,7 @@ any colour vision (Okabe & Ito 2008, Color Universal Design, jfly.uni-koeln.de).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 #: Width of every figure (inches): 1200 pixels at 120 dots per inch.
 WIDTH_IN = 10.0
+#: Left margin of headings (inches).
+MARGIN_IN = 0.22
 #: Dots per inch of a PNG unless the caller says otherwise.
 DPI = 130
 
@@ -82,10 +85,28 @@ def style_axes(axes: Axes) -> None:
         spine.set_linewidth(THIN_LINE_WIDTH)
 
 
-def add_heading(figure: Figure, title: str, lines: list[str], margin_in: float) -> None:
-    """Write the title and the lines below it at the top left of a figure."""
+def add_heading(
+    figure: Figure,
+    title: str,
+    lines: Sequence[str],
+    margin_in: float = MARGIN_IN,
+    top_in: float = 0.0,
+) -> None:
+    """Write a title and the lines below it at the left of a figure.
+
+    Parameters
+    ----------
+    figure
+        Where to write.
+    title, lines
+        What to write.
+    margin_in
+        From the left side of the figure (inches).
+    top_in
+        From the top of the figure to that of the heading's room (inches).
+    """
     width, height = figure.get_size_inches()
-    x, y = margin_in / width, 1 - 0.12 / height
+    x, y = margin_in / width, 1 - (top_in + 0.12) / height
     figure.text(
         x, y, plain(title), fontsize=TITLE_SIZE, fontweight="bold", color=INK, va="top", ha="left"
     )
@@ -102,7 +123,7 @@ def add_heading(figure: Figure, title: str, lines: list[str], margin_in: float) 
     )
 
 
-def heading_height_in(title: str, lines: list[str]) -> float:
+def heading_height_in(title: str, lines: Sequence[str]) -> float:
     """Return the height that `add_heading` takes (inches)."""
     rows = title.count("\n") + 1
     return 0.12 + 0.21 * rows + 0.04 + 0.17 * len(lines)

@@ -11,12 +11,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import MuyscError
-from ..quantities import COLOUR_STOPS
 from ..telescope.directions import Pointing
 from ..telescope.planning import HALF
 from ..trajectories import TrajectoryMap
 from . import style, ticks
-from .limits import colour_limits
+from .colours import colour_scale, has_colour, pixel_colours
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -36,20 +35,6 @@ def place(figure: Figure, box: Box) -> Axes:
     width, height = figure.get_size_inches()
     left, bottom, wide, high = box
     return figure.add_axes((left / width, bottom / height, wide / width, high / height))
-
-
-def write_heading(figure: Figure, title: str, lines: list[str], margin_in: float) -> None:
-    """Write the title and the lines below it at the top left of a figure."""
-    width, height = figure.get_size_inches()
-    top = 1 - 0.12 / height
-    figure.text(
-        margin_in / width, top, style.plain(title), fontsize=style.TITLE_SIZE, fontweight="bold",
-        color=style.INK, va="top",
-    )  # fmt: skip
-    figure.text(
-        margin_in / width, top - 0.25 / height, style.plain("\n".join(lines)),
-        fontsize=style.TEXT_SIZE, color=style.MUTED, va="top", linespacing=1.25,
-    )  # fmt: skip
 
 
 def edges(one: TrajectoryMap) -> tuple[float, float, float, float]:
@@ -75,14 +60,8 @@ def draw_map(
     """Draw the pixels and angles; return the colour scale and legend entries."""
     from matplotlib.patches import Patch, Rectangle
 
-    scale, coloured = _scale(one), _coloured(one, sky)
-    low, _ = scale.get_clim()
-    # Zero has no logarithm; the lower end stands for it and all below.
-    picture = scale.to_rgba(np.maximum(np.where(coloured, one.values, low), low), bytes=True)
-    picture[~coloured] = 0
-    if sky is not None:
-        colour = tuple(int(style.SKY[i : i + 2], 16) for i in (1, 3, 5))
-        picture[sky & ~coloured] = (*colour, 255)
+    scale = colour_scale(one.values, one.kind)
+    picture = pixel_colours(one.values, one.kind, sky, scale)
     left, right, bottom, top = edges(one)
     legend: dict[str, Artist] = {}
     opaque = picture[..., 3] == 255
@@ -91,7 +70,7 @@ def draw_map(
             Rectangle((left, bottom), right - left, top - bottom, zorder=0, **style.UNKNOWN_LOOK)
         )
         legend["Unknown"] = Patch(**style.UNKNOWN_LOOK)
-    if np.any(opaque & ~coloured):
+    if np.any(opaque & ~has_colour(one.values, one.kind, sky)):
         legend["Open sky"] = Patch(facecolor=style.SKY, edgecolor=style.MUTED, linewidth=0.5)
     axes.imshow(
         picture, extent=(left, right, bottom, top), aspect="auto", zorder=1,
@@ -100,25 +79,6 @@ def draw_map(
     axes.set_xlim(left, right)
     axes.set_ylim(bottom, top)
     return scale, legend
-
-
-def _scale(one: TrajectoryMap) -> ScalarMappable:
-    """Return the colour scale of a raster's quantity."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
-
-    kind = one.kind
-    colours = LinearSegmentedColormap.from_list(kind.colours, COLOUR_STOPS[kind.colours], N=256)
-    low, high = colour_limits(one.values, kind)
-    return ScalarMappable(LogNorm(low, high) if kind.logarithmic else Normalize(low, high), colours)
-
-
-def _coloured(one: TrajectoryMap, sky: np.ndarray | None) -> np.ndarray:
-    """Return which pixels take their colour from the scale: known, and no sky without value."""
-    known = np.isfinite(one.values)
-    if sky is None or not one.kind.logarithmic:
-        return known
-    return known & ~(sky & (np.where(known, one.values, 0.0) <= 0))
 
 
 def label_angles(axes: Axes, across: int = 6, up: int = 6, names: bool = True) -> None:

@@ -10,7 +10,7 @@ from ..telescope.acceptance import Trajectories, trajectories
 from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
 from . import style, ticks
-from .telescope_axes import place, write_heading
+from .telescope_axes import place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -60,7 +60,7 @@ def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Fi
         + ("full integral over two pixels" if formula == "exact" else "formula of the paper")
     ]
     figure = style.new_figure(style.WIDTH_IN, _HEIGHT)
-    write_heading(figure, title, lines, 0.22)
+    style.add_heading(figure, title, lines)
     _acceptances(place(figure, (0.75, 4.45, 4.1, 2.7)), collected, looks, chosen)
     _shapes(figure, (5.2, 4.0, 4.7, 3.15), entries, looks, chosen)
     _resolutions(place(figure, (0.75, 0.6, 4.1, 2.9)), collected, looks, chosen)

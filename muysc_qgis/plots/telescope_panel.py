@@ -18,7 +18,6 @@ from .telescope_axes import (
     edges,
     label_angles,
     place,
-    write_heading,
 )
 from .telescope_drawing import draw_aperture, draw_telescope
 
@@ -64,7 +63,7 @@ def telescope_panel(collected: Trajectories, name: str) -> Figure:
     heading = style.heading_height_in(title, lines)
     height = heading + _TOP_ROW + 0.55 + _SECTION + 0.12 + _MAP + 1.35
     figure = style.new_figure(style.WIDTH_IN, height)
-    write_heading(figure, title, lines, _MARGIN - 0.4)
+    style.add_heading(figure, title, lines, _MARGIN - 0.4)
     top = height - heading - 0.1
     axes = place(figure, (0.35, top - _TOP_ROW, 3.4, _TOP_ROW))
     draw_telescope(axes, geometry)

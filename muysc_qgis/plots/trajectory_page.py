@@ -20,7 +20,6 @@ from .telescope_axes import (
     edges,
     label_angles,
     place,
-    write_heading,
 )
 
 if TYPE_CHECKING:
@@ -73,7 +72,7 @@ def trajectory_page(
     heading = style.heading_height_in(title, lines)
     height = heading + rows * (tall + _ABOVE + _BELOW) + 0.3
     figure = style.new_figure(style.WIDTH_IN, height)
-    write_heading(figure, title, lines, _LEFT - 0.4)
+    style.add_heading(figure, title, lines, _LEFT - 0.4)
     sky = rock_share <= HALF
     legend: dict[str, object] = {}
     for number, (one, name) in enumerate(zip(maps, titles)):

@@ -64,8 +64,8 @@ def differences(rows: Sequence[Row]) -> Figure:
     sections = list(dict.fromkeys(row.section for row in compared))
     height = 1.25 + _ROW_IN * (len(compared) + len(sections))
     figure = style.new_figure(style.WIDTH_IN, height)
-    charts.heading(
-        figure, 0.0, "Differences from the references",
+    style.add_heading(
+        figure, "Differences from the references",
         ["Bars: what counts as agreement; hollow: not required. Dots: ours over the reference, "
          "less 1; 0 within an interval."],
     )  # fmt: skip
@@ -105,8 +105,8 @@ def differences(rows: Sequence[Row]) -> Figure:
 def transport(rows: Sequence[Row]) -> Figure:
     """Draw intensities against depth for two zenith angles, with full transport beside them."""
     figure = style.new_figure(style.WIDTH_IN, 4.6)
-    charts.heading(
-        figure, 0.0, "Intensity behind rock",
+    style.add_heading(
+        figure, "Intensity behind rock",
         ["Left: the model against depth; squares: full transport, with the zenith angle. Right: "
          "differences at those points; blue: 15 %."],
     )  # fmt: skip

@@ -29,14 +29,14 @@ HEIGHT_IN = _HEAD_IN + _MAIN_IN + _FOOT_IN + _LEGEND_IN
 def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
     """Draw transmission and flux from a distance below the top of a figure (inches)."""
     reference = reference_model(comparison)
-    charts.heading(
+    style.add_heading(
         figure,
-        top_in,
         TITLE,
         [
             f"Lines: {MODELS[reference].title}, faded outside its range. Bands: from the smallest "
             "to the largest of the models that hold (two or more)."
         ],
+        top_in=top_in,
     )
     width = (style.WIDTH_IN - charts.LEFT_IN - charts.RIGHT_IN - _MIDDLE_IN) / 2
     top = top_in + _HEAD_IN

@@ -44,7 +44,7 @@ def reference_model(comparison: Comparison) -> str:
 def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
     """Draw the spectra from a distance below the top of a figure (inches)."""
     reference = reference_model(comparison)
-    charts.heading(figure, top_in, TITLE, _lines(comparison, reference))
+    style.add_heading(figure, TITLE, _lines(comparison, reference), top_in=top_in)
     columns = _columns(comparison)
     width = style.WIDTH_IN - charts.LEFT_IN - charts.RIGHT_IN
     cell_in = (width + _BETWEEN_IN) / columns - _BETWEEN_IN

@@ -36,9 +36,8 @@ LAW_TITLES = {
 def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
     """Draw the energy losses from a distance below the top of a figure (inches)."""
     physics = comparison.physics
-    charts.heading(
+    style.add_heading(
         figure,
-        top_in,
         TITLE,
         [
             "Left: mean loss in each material beside the polynomial of Lesparre et al. for "
@@ -46,6 +45,7 @@ def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
             f"Right: kinetic energy that {MATERIALS[physics.material].title.lower()} of "
             f"{physics.density:g} g/cm³ demands by the three range laws.",
         ],
+        top_in=top_in,
     )
     width = (style.WIDTH_IN - charts.LEFT_IN - charts.RIGHT_IN - _MIDDLE_IN) / 2
     top = top_in + _HEAD_IN

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...errors import MuyscError
+from ...tomography.voxels import VIEW_AXES
 from ...topography.relief import Relief
 from ...volume import Volume
 
@@ -55,9 +56,6 @@ class Cut:
 
 EASTING, NORTHING, DISTANCE, ELEVATION = "Easting", "Northing", "Distance", "Elevation"
 
-#: The axes that stay in each view, by its name.
-_VIEWS = {"top": (0, 1), "front": (0, 2), "side": (1, 2)}
-
 _NAMES = (EASTING, NORTHING, ELEVATION)
 
 
@@ -75,7 +73,7 @@ def slice_at(volume: Volume, axis: int, position_m: float) -> Cut:
 
 def mean_view(volume: Volume, name: str) -> Cut:
     """Return the mean of the known voxels along an axis, for `top`, `front` or `side`."""
-    axis = ({0, 1, 2} - set(_VIEWS[name])).pop()
+    axis = VIEW_AXES[name]
     known = volume.known
     count = known.sum(axis=axis)
     total = np.where(known, volume.values, 0.0).sum(axis=axis)
@@ -85,7 +83,7 @@ def mean_view(volume: Volume, name: str) -> Cut:
 
 def view_cut(volume: Volume, name: str, values: np.ndarray) -> Cut:
     """Return values of a view (`top`, `front` or `side`), such as sums, in their plane."""
-    return _cut(volume, ({0, 1, 2} - set(_VIEWS[name])).pop(), values)
+    return _cut(volume, VIEW_AXES[name], values)
 
 
 def _cut(volume: Volume, axis: int, values: np.ndarray) -> Cut:

@@ -163,7 +163,7 @@ def _blocks(tomography: Tomography, place: Place, densities: ScalarMappable) -> 
         _Block("Mean rays per voxel crossed", counts, volume_scales.counted(shown)),
     ]
     if deviation is not None:
-        errors = volume_scales.from_zero(deviation.values, "density_error")
+        errors = volume_scales.errors(deviation.values)
         name = "Standard error of the density (g/cm³)"
         blocks.append(_Block(name, slices(deviation, coverage, place), errors))
     return blocks

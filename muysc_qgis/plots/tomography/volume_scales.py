@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...quantities import QUANTITIES
+from ...quantities import QUANTITIES, Quantity
 from ...volume import VOLUME_QUANTITIES
 from .. import ticks
 from ..colours import colour_map, colour_scale
@@ -50,20 +50,12 @@ def diverging(values: np.ndarray, middle: float, least: float = _LEAST_SPREAD) -
 
 def between(low: float, high: float) -> ScalarMappable:
     """Return a scale that is white in the middle between two limits."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
-    return ScalarMappable(Normalize(low, high), colour_map(_DIVERGING))
+    return _scale(low, high, _DIVERGING)
 
 
 def lengths(values: np.ndarray) -> ScalarMappable:
     """Return a scale from 0 to the largest value, in the colours of rock thickness."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
-    known = values[np.isfinite(values)]
-    most = float(known.max()) if known.size else 0.0
-    return ScalarMappable(Normalize(0.0, most or 1.0), colour_map(QUANTITIES["thickness"]))
+    return _from_zero(values, 100.0, QUANTITIES["thickness"])
 
 
 def counted(values: np.ndarray) -> ScalarMappable:
@@ -71,11 +63,19 @@ def counted(values: np.ndarray) -> ScalarMappable:
     return colour_scale(values, VOLUME_QUANTITIES["coverage"])
 
 
-def from_zero(values: np.ndarray, quantity: str) -> ScalarMappable:
-    """Return a scale in the colours of a quantity that begins at 0."""
+def errors(values: np.ndarray) -> ScalarMappable:
+    """Return the scale of standard errors of densities, which begins at 0."""
+    return _from_zero(values, _SHOWN_PERCENT, VOLUME_QUANTITIES["density_error"])
+
+
+def _from_zero(values: np.ndarray, shown_percent: float, quantity: Quantity) -> ScalarMappable:
+    known = values[np.isfinite(values)]
+    most = float(np.percentile(known, shown_percent)) if known.size else 0.0
+    return _scale(0.0, most or 1.0, quantity)
+
+
+def _scale(low: float, high: float, quantity: Quantity) -> ScalarMappable:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    known = values[np.isfinite(values)]
-    most = float(np.percentile(known, _SHOWN_PERCENT)) if known.size else 0.0
-    return ScalarMappable(Normalize(0.0, most or 1.0), colour_map(VOLUME_QUANTITIES[quantity]))
+    return ScalarMappable(Normalize(low, high), colour_map(quantity))
