@@ -34,7 +34,7 @@ def write_table(
 
 def _text(cell: object) -> str:
     if isinstance(cell, float):
-        return "" if math.isnan(cell) else f"{cell:.8g}"
+        return "" if math.isnan(cell) else f"{cell:.9g}"
     return str(cell)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -12,6 +11,7 @@ import numpy as np
 from .errors import MuyscError
 from .muogram import Grid, View, read_grid, read_muogram, write_grid
 from .quantities import QUANTITIES
+from .tables import write_table
 from .telescope.acceptance import Trajectories
 from .telescope.directions import Pointing
 from .telescope.geometry import TelescopeGeometry
@@ -217,7 +217,7 @@ def maps_of(collected: Trajectories, name: str) -> dict[str, TrajectoryMap]:
     return {key: TrajectoryMap(key, array, x, y, metadata) for key, array in values.items()}
 
 
-def write_table(maps: Mapping[str, TrajectoryMap], path: str | Path) -> None:
+def write_trajectory_table(maps: Mapping[str, TrajectoryMap], path: str | Path) -> None:
     """Write rasters on the same trajectories as a CSV table, units in the header.
 
     A row for each trajectory: its pixel offsets, its tangents, its direction where the
@@ -241,19 +241,4 @@ def write_table(maps: Mapping[str, TrajectoryMap], path: str | Path) -> None:
         azimuth, elevation = first.directions_deg()
         columns |= {"azimuth (°)": azimuth % 360.0, "elevation (°)": elevation}
     columns |= {one.kind.label: one.values for one in maps.values()}
-    try:
-        with open(path, "w", encoding="utf-8", newline="") as stream:
-            writer = csv.writer(stream)
-            writer.writerow(columns)
-            for row in zip(*(values.ravel().tolist() for values in columns.values())):
-                writer.writerow(_cell(value) for value in row)
-    except OSError as error:
-        raise MuyscError(
-            f"The table {path} cannot be written ({error.strerror}); choose another folder or "
-            "close the program that holds the file."
-        ) from error
-
-
-def _cell(value: float) -> str:
-    """Return a number with nine digits, nothing where it is unknown."""
-    return "" if value != value else f"{value:.9g}"
+    write_table(path, list(columns), zip(*(values.ravel().tolist() for values in columns.values())))

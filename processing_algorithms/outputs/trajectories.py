@@ -13,7 +13,7 @@ from qgis.core import (
 )
 
 from ...muysc_qgis.staging import Staging
-from ...muysc_qgis.trajectories import TrajectoryMap, write_table, write_trajectories
+from ...muysc_qgis.trajectories import TrajectoryMap, write_trajectories, write_trajectory_table
 from ..parameters.values import explained
 from .documents import destination as document
 from .rasters import destination, stage_raster
@@ -58,6 +58,6 @@ def stage_trajectories(
             results[output] = path
     table = document(algorithm, parameters, TABLE, context, ".csv")
     if table is not None:
-        write_table(maps, staging.add(table, inputs))
+        write_trajectory_table(maps, staging.add(table, inputs))
         results[TABLE] = table
     return results
