@@ -51,7 +51,7 @@ from .parameters.view import (
     aperture_parameters,
     read_aperture,
     read_point,
-    sight_parameters,
+    target_parameters,
 )
 
 _QUANTITIES = (
@@ -83,11 +83,10 @@ class RadiographyAtSites(MuyscAlgorithm):
     TAGS = ("muogram", "thickness", "flux", "stations", "survey", "batch")
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
-        target = [one for one in sight_parameters() if one.name().startswith("TARGET")]
         return [
             *dem_parameters(),
             *sites_parameters(),
-            *target,
+            *target_parameters(),
             choices(
                 "QUANTITIES", "Quantities",
                 "What to write for each site, one raster each.",

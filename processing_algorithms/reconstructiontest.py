@@ -42,7 +42,7 @@ from .parameters.reconstruction import read_reconstruction, reconstruction_param
 from .parameters.ring import read_stations, stations_parameters
 from .parameters.terrain import dem_parameters, read_dem
 from .parameters.values import read_number
-from .parameters.view import aperture_parameters, read_aperture, read_point, sight_parameters
+from .parameters.view import aperture_parameters, read_aperture, read_point, target_parameters
 from .parameters.volume import read_crs, read_plan, volume_parameters
 
 if TYPE_CHECKING:
@@ -82,7 +82,6 @@ class ReconstructionTest(MuyscAlgorithm):
     TAGS = ("muogram", "density", "3D", "voxel", "feasibility", "checkerboard", "resolution")
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
-        sight = [one for one in sight_parameters() if one.name().startswith("TARGET")]
         aperture = [one for one in aperture_parameters() if one.name() not in _RANGE]
         volume = volume_parameters()
         defaults = {
@@ -93,7 +92,7 @@ class ReconstructionTest(MuyscAlgorithm):
                 one.setDefaultValue(defaults[one.name()])
         return [
             *dem_parameters(),
-            *sight,
+            *target_parameters(),
             *stations_parameters(),
             *model_parameters(),
             *aperture,
@@ -173,7 +172,11 @@ class ReconstructionTest(MuyscAlgorithm):
             from ..muysc_qgis.plots.tomography import documents
 
             return documents.known_model_report(
-                found, inputs.dem, provenance, warnings=inputs.skipped
+                found,
+                inputs.dem,
+                provenance,
+                warnings=inputs.skipped,
+                discrepancy=inputs.choices.options.discrepancy,
             )
 
         results |= stage_drawn(self, panel, report, results, *files, feedback, *staged)

@@ -43,7 +43,13 @@ from .parameters.survey import (
 )
 from .parameters.terrain import dem_parameters, read_dem
 from .parameters.values import read_number
-from .parameters.view import aperture_parameters, read_aperture, read_point, sight_parameters
+from .parameters.view import (
+    aperture_parameters,
+    detector_height_parameter,
+    read_aperture,
+    read_point,
+    target_parameters,
+)
 
 #: Pixels across and up by default: coarser than a muogram, of which nobody sees the pixels.
 _PIXELS = 64
@@ -78,14 +84,14 @@ class SiteSelection(MuyscAlgorithm):
             "Picture of the score on the map with the sites chosen, the azimuths around the target "
             "that the telescopes cover, and exposure times against the share seen."
         )
-        points = {one.name(): one for one in sight_parameters()}
         aperture = aperture_parameters()
         for one in aperture:
             if one.name().endswith("PIXELS"):
                 one.setDefaultValue(_PIXELS)
         return [
             *dem_parameters(),
-            *(points[name] for name in ("TARGET", "TARGET_HEIGHT", "DETECTOR_HEIGHT")),
+            *target_parameters(),
+            detector_height_parameter(),
             *candidate_parameters(),
             *target_body_parameters(),
             *choice_parameters(),

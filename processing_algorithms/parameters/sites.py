@@ -24,14 +24,13 @@ from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.workflows.sites import Site, file_stems
 from ..compat import NUMERIC_FIELD, VECTOR_POINT
 from .values import explained, given, read_number
-from .view import sight_parameters
+from .view import detector_height_parameter
 
 
 def sites_parameters(
     label: str = "Sites", optional: bool = False
 ) -> list[QgsProcessingParameterDefinition]:
     """Declare the layer of sites, its fields, and the height where it has none."""
-    height = next(one for one in sight_parameters() if one.name() == "DETECTOR_HEIGHT")
     return [
         explained(
             QgsProcessingParameterFeatureSource("SITES", label, [VECTOR_POINT], None, optional),
@@ -44,7 +43,7 @@ def sites_parameters(
             "Field with the name of each site, which its files begin with. Empty: site_01, "
             "site_02 and so on, by the order in the layer.",
         ),
-        height,
+        detector_height_parameter(),
         explained(
             QgsProcessingParameterField("HEIGHT_FIELD", "Field of the heights above ground", None,
                                         "SITES", NUMERIC_FIELD, optional=True),

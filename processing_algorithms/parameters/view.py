@@ -31,12 +31,24 @@ def sight_parameters() -> list[QgsProcessingParameterDefinition]:
             "Where the telescope stands, on the DEM. As text: x,y [EPSG:code]; without a code the "
             "point is in the project's CRS, or the DEM's where there is no project.",
         ),
-        number(
-            "DETECTOR_HEIGHT", "Detector height above ground (m)",
-            "Give the height of the telescope above the ground in m, −10000 to 10000; negative in "
-            "a tunnel or borehole.",
-            0.0, -10_000, 10_000,
-        ),
+        detector_height_parameter(),
+        *target_parameters(),
+    ]
+
+
+def detector_height_parameter() -> QgsProcessingParameterDefinition:
+    """Declare how high the detector stands."""
+    return number(
+        "DETECTOR_HEIGHT", "Detector height above ground (m)",
+        "Give the height of the telescope above the ground in m, −10000 to 10000; negative in "
+        "a tunnel or borehole.",
+        0.0, -10_000, 10_000,
+    )  # fmt: skip
+
+
+def target_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare what is looked at."""
+    return [
         explained(
             QgsProcessingParameterPoint("TARGET", "Target"),
             "What the telescope points at, on the DEM: the middle of the field of view.",
