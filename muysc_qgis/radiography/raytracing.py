@@ -154,23 +154,17 @@ class _MonotonePieces:
 def _monotone(pieces: ProfilePieces) -> _MonotonePieces:
     """Drop unknown pieces and split the others where their tangent turns."""
     known = np.isfinite(pieces.constant)
-    ray, start, end = pieces.ray[known], pieces.start_m[known], pieces.end_m[known]
-    constant, linear = pieces.constant[known], pieces.linear[known]
-    quadratic = pieces.quadratic[known]
     with np.errstate(divide="ignore", invalid="ignore"):
-        turn = np.sqrt(constant / quadratic)
-    turns = (turn > start) & (turn < end)
-    source = np.repeat(np.arange(len(ray)), 1 + turns)
-    second = np.zeros(len(source), bool)
-    second[np.cumsum(1 + turns)[turns] - 1] = True
-    first = np.zeros(len(source), bool)
-    first[np.cumsum(1 + turns)[turns] - 2] = True
-    new_start = np.where(second, turn[source], start[source])
-    new_end = np.where(first, turn[source], end[source])
-    a, b, c = constant[source], linear[source], quadratic[source]
+        turn = np.sqrt(pieces.constant / pieces.quadratic)
+    turns = known & (turn > pieces.start_m) & (turn < pieces.end_m)
+    source = np.repeat(np.arange(len(known)), np.where(turns, 2, known))
+    start, end = pieces.start_m[source], pieces.end_m[source]
+    first = np.flatnonzero(source[1:] == source[:-1])
+    end[first] = start[first + 1] = turn[turns]
+    a, b, c = pieces.constant[source], pieces.linear[source], pieces.quadratic[source]
     return _MonotonePieces(
-        ray[source], new_start, new_end, a, b, c,
-        _ground_tangent(new_start, a, b, c), _ground_tangent(new_end, a, b, c),
+        pieces.ray[source], start, end, a, b, c,
+        _ground_tangent(start, a, b, c), _ground_tangent(end, a, b, c),
     )  # fmt: skip
 
 

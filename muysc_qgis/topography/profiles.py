@@ -19,8 +19,8 @@ from .frame import PATH_STEP_M, LocalFrame
 from .heights import PEAK_M
 from .stretches import Stretches, cut_stretches, level_stretches
 
-#: Profile pieces in one block: with about 30 arrays of float64, 30 MiB.
-MAX_PIECES = 1 << 17
+#: Profile pieces in one block: about 30 arrays of float64 that stay in the processor's cache.
+MAX_PIECES = 1 << 13
 #: DEM cells read at a time: 16 MiB of float64.
 MAX_CELLS = 1 << 21
 #: Points of paths laid at a time: with about 20 arrays of float64, 40 MiB.

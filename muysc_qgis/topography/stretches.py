@@ -101,9 +101,7 @@ def level_stretches(
     radius_m
         Radius of the Earth.
     """
-    # Unknown ground may be as high and as low as it likes.
-    unknown = np.isnan(ground)
-    relief = [(np.where(unknown, -np.inf, ground), np.where(unknown, np.inf, ground))]
+    relief = [(ground, ground)]
     while True:
         rough = np.flatnonzero(stretches.detailed)
         part = stretches.take(rough)
@@ -140,8 +138,8 @@ def _level(
     Parameters
     ----------
     relief
-        Lowest and highest ground in tiles of 1, 2, 4, … cells; sizes that are
-        missing are added.
+        Lowest and highest ground in tiles of 1, 2, 4, … cells, NaN where any of it is
+        unknown; sizes that are missing are added.
     """
     start, end = stretches.start_m, stretches.end_m
     low, high = lowest[stretches.ray], highest[stretches.ray]
@@ -165,6 +163,7 @@ def _level(
     corners = ((top, left), (top, right), (bottom, left), (bottom, right))
     highest_ground = np.max([highs[corner] for corner in corners], axis=0)
     lowest_ground = np.min([lows[corner] for corner in corners], axis=0)
+    # Unknown ground may be as high and as low as it likes.
     serves = (least > highest_ground) | (greatest < lowest_ground)
     return np.where(serves, highest_ground, np.nan)
 
@@ -186,7 +185,7 @@ def cut_stretches(stretches: Stretches, ground: np.ndarray, radius_m: float) -> 
     Parameters
     ----------
     stretches
-        Level or not.
+        Level or not, one or more.
     ground
         (rows, columns) heights (m) of the window over the detector.
     radius_m
@@ -194,35 +193,37 @@ def cut_stretches(stretches: Stretches, ground: np.ndarray, radius_m: float) -> 
     """
     path = stretches
     length = np.where(path.detailed, path.length_m, 0.0)
-    # One number orders all cuts of all paths: stretch plus share of it.
+    # One number orders all cuts of all paths: stretch plus share of it. The three parts
+    # are in order, and a stable sort merges them.
     cut = np.sort(
         np.concatenate([
             np.arange(len(path.ray), dtype=float),
             _crossings(path.column, path.column + path.columns_per_m * length),
             _crossings(path.row, path.row + path.rows_per_m * length),
-        ])
+        ]),
+        kind="stable",
     )  # fmt: skip
     at = cut.astype(np.int64)
-    share = cut - at
-    first = np.append(True, at[1:] != at[:-1])
-    end_share = np.where(np.append(first[1:], True), 1.0, np.append(share[1:], 1.0))
-    cut_m = path.start_m[at] + path.length_m[at] * share
-    end_m = path.start_m[at] + path.length_m[at] * end_share
+    cut_m = path.start_m[at] + path.length_m[at] * (cut - at)
+    last = np.append(np.flatnonzero(at[1:] != at[:-1]), len(at) - 1)
+    first = np.append(0, last[:-1] + 1)
+    end_m = np.append(cut_m[1:], 0.0)
+    end_m[last] = path.end_m
     keep = end_m - cut_m > _SLIVER_M
     # A path that ends where it begins still says what is underfoot there.
-    keep |= first & (path.end_m[at] <= _SLIVER_M)
+    keep[first[path.end_m <= _SLIVER_M]] = True
     at, cut_m, end_m = at[keep], cut_m[keep], end_m[keep]
-    ray = path.ray[at]
-    begins = np.append(True, ray[1:] != ray[:-1])[: len(ray)]
-    start_m = np.where(begins, path.start_m[at], np.append(0.0, end_m)[: len(ray)])
-
     path = path.take(at)
+    begins = np.flatnonzero(np.append(True, path.ray[1:] != path.ray[:-1])[: len(at)])
+    start_m = np.append(0.0, end_m)[: len(at)]
+    start_m[begins] = path.start_m[begins]
+
     rows, columns = ground.shape
     u = path.column + path.columns_per_m * (cut_m - path.start_m)
     v = path.row + path.rows_per_m * (cut_m - path.start_m)
     du, dv, half = path.columns_per_m, path.rows_per_m, (end_m - cut_m) / 2
-    cell_u = np.clip(np.floor(u + du * half).astype(np.int64), 0, columns - 2)
-    cell_v = np.clip(np.floor(v + dv * half).astype(np.int64), 0, rows - 2)
+    cell_u = np.clip((u + du * half).astype(np.int64), 0, columns - 2)
+    cell_v = np.clip((v + dv * half).astype(np.int64), 0, rows - 2)
     corner = cell_v * columns + cell_u
     flat = ground.ravel()
     h00, h10 = flat[corner], flat[corner + 1]
@@ -231,13 +232,14 @@ def cut_stretches(stretches: Stretches, ground: np.ndarray, radius_m: float) -> 
     v -= cell_v
     slope_u, slope_v, twist = h10 - h00, h01 - h00, h11 - h10 - h01 + h00
     # Height over the detector at a distance x past the cut: here + there x + bend x².
-    detailed = path.detailed
-    here = np.where(detailed, h00 + u * slope_u + v * slope_v + u * v * twist, path.level_m)
-    there = np.where(detailed, du * slope_u + dv * slope_v + (u * dv + v * du) * twist, 0.0)
-    bend = np.where(detailed, du * dv * twist, 0.0)
+    here = h00 + u * slope_u + v * slope_v + u * v * twist
+    there = du * slope_u + dv * slope_v + (u * dv + v * du) * twist
+    bend = du * dv * twist
+    level = np.flatnonzero(~path.detailed)
+    here[level], there[level], bend[level] = path.level_m[level], 0.0, 0.0
     constant = here - there * cut_m + bend * cut_m**2
     # A detector on the ground is on it, whatever rounding says.
     constant[(start_m == 0) & (np.abs(here) < _TOUCH_M)] = 0.0
     return ProfilePieces(
-        ray, start_m, end_m, constant, there - 2 * bend * cut_m, bend - 1 / (2 * radius_m)
+        path.ray, start_m, end_m, constant, there - 2 * bend * cut_m, bend - 1 / (2 * radius_m)
     )

@@ -65,6 +65,7 @@ def test_block_sizes_do_not_show(data_folder, trace, monkeypatch, name, x, y, sc
     blocks = []
     cut = profiles.cut_stretches
     monkeypatch.setattr(profiles, "cut_stretches", lambda *a: blocks.append(0) or cut(*a))
+    monkeypatch.setattr(profiles, "MAX_PIECES", 1 << 20)
     whole = trace(path, *rays, x, y, above=1.0)
     few = len(blocks)
     for limit, value in limits.items():
