@@ -137,6 +137,18 @@ def check_uncertainty(share: float) -> None:
         )
 
 
+def check_minimum(counts: float) -> None:
+    """Refuse a number of counts that pixels cannot be merged up to.
+
+    Raises
+    ------
+    MuyscError
+        If it is not 0 (no merging) or more, and finite.
+    """
+    if not 0 <= counts < np.inf:
+        raise MuyscError(f"A minimum of {counts:g} counts cannot be reached; give 0 or more.")
+
+
 def measure_density(
     seen: Observation, scene: Scene, minimum_counts: float = 0.0, progress: Progress = silent
 ) -> Densities:

@@ -12,6 +12,7 @@ from ..measurement.density import (
     Densities,
     Flag,
     Scene,
+    check_minimum,
     check_uncertainty,
     measure_density,
     model_densities,
@@ -76,10 +77,7 @@ class DensityChoices:
 
     def __post_init__(self) -> None:
         check_uncertainty(self.model_uncertainty)
-        if not 0 <= self.minimum_counts < np.inf:
-            raise MuyscError(
-                f"A minimum of {self.minimum_counts:g} counts cannot be reached; give 0 or more."
-            )
+        check_minimum(self.minimum_counts)
         if not 0.5 < self.limit_confidence < 1:
             raise MuyscError(
                 f"A confidence of {100 * self.limit_confidence:g} % cannot be used; give one above "

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ..errors import MuyscError
-from ..measurement.density import Densities, Flag, Scene, measure_density
+from ..measurement.density import Densities, Flag, Scene, check_minimum, measure_density
 from ..measurement.observation import from_counts
 from ..muogram import Muogram
 from ..progress import Progress, silent
@@ -48,10 +48,7 @@ class Campaign:
 
     def __post_init__(self) -> None:
         check_positive(self.days, "time of counting in days")
-        if not 0 <= self.minimum_counts < np.inf:
-            raise MuyscError(
-                f"A minimum of {self.minimum_counts:g} counts cannot be reached; give 0 or more."
-            )
+        check_minimum(self.minimum_counts)
         if self.seed < 0:
             raise MuyscError(f"The seed is {self.seed}; give a whole number of 0 or more.")
 
