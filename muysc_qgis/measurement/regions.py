@@ -1,4 +1,4 @@
-"""Merging neighbouring pixels until each region has counted enough."""
+"""Merging neighbouring pixels until each region has counted enough, and errors after it."""
 
 from __future__ import annotations
 
@@ -71,6 +71,23 @@ def merge_pixels(
         else:
             waiting += [(top, bottom, left, left + cut), (top, bottom, left + cut, right)]
     return label
+
+
+def errors_of_pixels(errors: np.ndarray, region: np.ndarray) -> np.ndarray:
+    """Return errors with which the pixels of a region together weigh as much as it.
+
+    Weights are 1/σ²: n pixels that all carry one measurement, with √n times its error, have
+    the weight of that one.
+
+    Parameters
+    ----------
+    errors
+        Standard error of each pixel's region, any shape and unit.
+    region
+        Number of each pixel's region from 0, −1 for a pixel on its own; as many.
+    """
+    members = np.bincount(region[region >= 0], minlength=1)
+    return errors * np.sqrt(np.append(members, 1)[region])
 
 
 def _shrunk(box: tuple[int, int, int, int], usable: np.ndarray) -> tuple[int, int, int, int]:

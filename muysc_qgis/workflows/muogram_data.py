@@ -9,6 +9,7 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..measurement.density import Flag
+from ..measurement.regions import errors_of_pixels
 from ..muogram import DOMAIN, Muogram
 from ..progress import Progress, part, report, silent
 from ..quantities import ERROR_SUFFIX
@@ -226,27 +227,27 @@ def _filled(
         per_unit = thickness * G_CM2_PER_M_WATER_EQUIVALENT
     elif view.quantity == "density":
         per_unit = thickness * G_CM2_PER_M_WATER_EQUIVALENT
-        spread = None if spread is None else _errors_of_pixels(one, values, spread)
+        spread = None if spread is None else _errors_if_merged(one, values, spread)
     # In the sky, a density is not known and an opacity is.
     opacity = np.where(thickness == 0, 0.0, values * per_unit)
     error = None if spread is None else spread * per_unit
     return replace(station, opacity=opacity, error=error, lost=lost), warnings
 
 
-def _errors_of_pixels(one: NamedView, values: np.ndarray, errors: np.ndarray) -> np.ndarray:
-    """Return errors with which the pixels of a region together weigh as much as it.
+def _errors_if_merged(one: NamedView, values: np.ndarray, errors: np.ndarray) -> np.ndarray:
+    """Return errors of densities, wider where several pixels carry one measurement.
 
-    Pixels merged up to a count all carry density and error of their region: n of them, with
-    √n times the error, hold what was measured once.
+    The files do not say which pixels were merged. A region is known by its density and error,
+    the same in each of its pixels; two regions that agree in both to the last digit count as
+    one, which makes their errors too large rather than too small.
     """
     if "MINIMUM_COUNTS" not in one.view.metadata or one.number("MINIMUM_COUNTS") <= 0:
         return errors
     known = np.isfinite(values) & np.isfinite(errors)
     pairs = np.stack([values[known], errors[known]], axis=1)
-    _, region, pixels = np.unique(pairs, axis=0, return_inverse=True, return_counts=True)
-    widened = errors.copy()
-    widened[known] *= np.sqrt(pixels[region.ravel()])
-    return widened
+    region = np.full(values.shape, -1)
+    region[known] = np.unique(pairs, axis=0, return_inverse=True)[1].ravel()
+    return errors_of_pixels(errors, region)
 
 
 def _inverted(

@@ -9,6 +9,7 @@ import numpy as np
 from ..errors import MuyscError
 from ..measurement.density import Densities, Flag, Scene, check_minimum, measure_density
 from ..measurement.observation import from_counts
+from ..measurement.regions import errors_of_pixels
 from ..muogram import Muogram
 from ..progress import Progress, silent
 from ..radiography.aperture import Aperture
@@ -161,8 +162,7 @@ def _errors(found: Densities, thickness_m: np.ndarray) -> np.ndarray:
     """Return the standard errors of the opacities, g/cm²."""
     error = found.error * thickness_m * G_CM2_PER_M_WATER_EQUIVALENT
     if found.region is not None:
-        members = np.bincount(found.region[found.region >= 0], minlength=1)
-        error = error * np.sqrt(np.append(members, 1)[found.region])
+        error = errors_of_pixels(error, found.region)
     # The sky is no less sure than the thinnest rock.
     sky = found.flags == Flag.SKY
     if sky.any() and np.isfinite(error).any():

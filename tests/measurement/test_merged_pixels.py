@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from muysc_qgis.measurement.regions import merge_pixels
+from muysc_qgis.measurement.regions import errors_of_pixels, merge_pixels
 
 
 @pytest.fixture
@@ -57,3 +57,16 @@ def test_too_few_counts_make_one_region():
 
 def test_nothing_usable_makes_no_region():
     assert np.all(merge_pixels(np.ones((3, 3)), np.zeros((3, 3), bool), 5) == -1)
+
+
+def test_pixels_of_a_region_weigh_as_much_as_its_one_measurement(picture):
+    """Σ 1/σ² over a region is 1/σ² of what it measured; pixels on their own stay as they are."""
+    label = merge_pixels(*picture, 50)
+    measured = np.random.default_rng(2).uniform(0.1, 0.9, label.max() + 1)
+    errors = errors_of_pixels(np.append(measured, 0.4)[label], label)
+    weights = np.bincount(label[label >= 0], errors[label >= 0] ** -2)
+    np.testing.assert_allclose(weights, measured**-2)
+    assert np.bincount(label[label >= 0]).max() > 10
+    assert np.all(errors[label < 0] == 0.4)
+    alone = np.full((2, 2), -1)
+    assert np.all(errors_of_pixels(np.full((2, 2), 0.4), alone) == 0.4)
