@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
+import glob
 import itertools
 import os
 import shutil
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 
@@ -24,6 +28,9 @@ _COMPANIONS = ("-wal", "-shm", "-journal")
 #: Several runs of one process may write to one folder.
 _COUNTER = itertools.count(1)
 
+#: Age (s) from which a temporary file is taken for what a killed run left: one day.
+_LEFT_BEHIND_S = 86_400
+
 
 class Staging:
     """Collects files under temporary names beside their destinations.
@@ -36,7 +43,9 @@ class Staging:
         self._moves: list[tuple[Path, Path]] = []
         self._taken: set[Path] = set()
         #: Folders of the layers, which may be several files each.
-        self._folders: list[Path] = []
+        self._layers: list[Path] = []
+        #: Folders of what stood at the destinations.
+        self._earlier: list[Path] = []
 
     def __enter__(self) -> Staging:
         return self
@@ -49,7 +58,7 @@ class Staging:
     ) -> None:
         for temporary, _ in self._moves:
             temporary.unlink(missing_ok=True)
-        for folder in self._folders:
+        for folder in self._layers + self._earlier:
             shutil.rmtree(folder, ignore_errors=True)
 
     def add(self, destination: str | Path, inputs: tuple[str, ...] = ()) -> Path:
@@ -92,7 +101,7 @@ class Staging:
             raise MuyscError(
                 f"{target} cannot be written ({error.strerror}); choose another place."
             ) from error
-        self._folders.append(folder)
+        self._layers.append(folder)
         temporary = folder / target.name
         self._moves.append((temporary, target))
         return temporary
@@ -106,6 +115,7 @@ class Staging:
                 f"Two outputs go to {target}; give each output a file name of its own."
             )
         self._taken.add(target)
+        _clear_leftovers(target)
         return target
 
     def give_up(self, temporary: Path) -> None:
@@ -120,13 +130,12 @@ class Staging:
         return text
 
     def commit(self) -> None:
-        """Move every file to its destination.
+        """Move every file to its destination, or none.
 
         Raises
         ------
         MuyscError
-            If a file has vanished, when none is moved, or cannot be moved; those not moved
-            yet are removed.
+            If a file has vanished or cannot be moved. The destinations are then as they were.
         """
         for temporary, target in self._moves:
             if not temporary.exists():
@@ -134,22 +143,55 @@ class Staging:
                     f"{target} vanished while it was written; see that nothing else clears "
                     f"{target.parent}."
                 )
-        for temporary, target in list(self._files()):
-            try:
-                target.parent.mkdir(parents=True, exist_ok=True)
-                temporary.replace(target)
-                for ending in _COMPANIONS:
-                    target.with_name(target.name + ending).unlink(missing_ok=True)
-            except OSError as error:
-                raise MuyscError(
-                    f"{target} cannot be written ({error.strerror}); close whatever holds it "
-                    "open or choose another place."
-                ) from error
+        undo: list[Callable[[], object]] = []
+        try:
+            for temporary, target in list(self._files()):
+                self._place(temporary, target, undo)
+        except BaseException:
+            for step in reversed(undo):
+                with contextlib.suppress(OSError):  # the others are still put back
+                    step()
+            raise
+
+    def _place(self, temporary: Path, target: Path, undo: list[Callable[[], object]]) -> None:
+        """Move one file to its destination; add to `undo` what takes each step back."""
+        try:
+            for folder in reversed(target.parents):
+                if not folder.exists():
+                    folder.mkdir(exist_ok=True)
+                    undo.append(folder.rmdir)
+            earlier = self._keep(target) if os.path.lexists(target) else None
+            temporary.replace(target)
+            undo.append(partial(earlier.replace, target) if earlier else target.unlink)
+            for ending in _COMPANIONS:
+                companion = target.with_name(target.name + ending)
+                if companion.exists():
+                    earlier = self._keep(companion)
+                    companion.unlink()
+                    undo.append(partial(earlier.replace, companion))
+        except OSError as error:
+            raise MuyscError(
+                f"{target} cannot be written ({error.strerror}); close whatever holds it "
+                "open or choose another place."
+            ) from error
+
+    def _keep(self, standing: Path) -> Path:
+        """Return a second path of a file, so that it can be replaced and put back."""
+        folder = _temporary(standing, "")
+        folder.mkdir()
+        self._earlier.append(folder)
+        kept = folder / standing.name
+        try:
+            os.link(standing, kept)  # it never vanishes from its own place
+        except OSError:
+            # Disks without hard links (FAT, some network shares): slower, but it stays too.
+            shutil.copy2(standing, kept)
+        return kept
 
     def _files(self) -> Iterator[tuple[Path, Path]]:
         """Yield every temporary file and where it goes."""
         for temporary, target in self._moves:
-            if temporary.parent not in self._folders:
+            if temporary.parent not in self._layers:
                 yield temporary, target
                 continue
             for file in sorted(temporary.parent.iterdir()):
@@ -187,8 +229,24 @@ def check_destination(target: Path, inputs: tuple[str, ...] = ()) -> None:
 
 def _temporary(target: Path, suffix: str) -> Path:
     """Return a path that no other run has, on the same disk as the destination."""
-    folder = target.parent
-    while not folder.is_dir():
-        folder = folder.parent
     stem = target.stem[:_LONGEST_STEM]
-    return folder / f".{stem}.{os.getpid()}-{next(_COUNTER)}-partial{suffix}"
+    return _standing_folder(target) / f".{stem}.{os.getpid()}-{next(_COUNTER)}-partial{suffix}"
+
+
+def _clear_leftovers(target: Path) -> None:
+    """Remove what killed runs left of their way to this destination."""
+    stem = glob.escape(target.stem[:_LONGEST_STEM])
+    oldest = time.time() - _LEFT_BEHIND_S
+    for path in _standing_folder(target).glob(f".{stem}.[0-9]*-[0-9]*-partial*"):
+        with contextlib.suppress(OSError):  # another run may be clearing them too
+            if path.lstat().st_mtime > oldest:
+                continue
+            if path.is_dir():
+                shutil.rmtree(path)
+            else:
+                path.unlink()
+
+
+def _standing_folder(target: Path) -> Path:
+    """Return the nearest folder above a destination that exists."""
+    return next(folder for folder in target.parents if folder.is_dir())

@@ -103,6 +103,19 @@ def test_a_folder_that_vanishes_midway(fails, recorder, tmp_path, percent):
     assert "outputs" in fails(Vandal())
 
 
+def test_one_output_that_cannot_be_moved_leaves_all_as_they_were(fails, recorder, tmp_path):
+    flux = tmp_path / "outputs" / "flux.tif"
+
+    class Vandal(recorder):
+        def note(self, now):
+            if now >= 90 and flux.is_file():
+                flux.unlink()
+                flux.mkdir()
+
+    assert str(flux) in fails(Vandal())
+    assert flux.is_dir()
+
+
 def test_layers_appear_with_the_other_files_only(run, vesuvius, tmp_path, recorder):
     seen = set()
 
