@@ -10,9 +10,6 @@ from ..errors import MuyscError
 from .lattice import Lattice
 from .operators import Projector
 
-#: g/cm² per g/cm³ · m.
-GRAMS_PER_CM2 = 100.0
-
 
 @dataclass(frozen=True)
 class System:

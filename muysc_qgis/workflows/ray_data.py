@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import MuyscError
-from ..tomography.system import GRAMS_PER_CM2
+from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from .sightlines import Sightlines
 
 #: Why a ray through the volume does not count.
@@ -63,7 +63,7 @@ def ray_data(
     known = np.isfinite(opacity)
     rock_m = lines.thickness_m[known].sum()
     if reference_density is None and rock_m > 0:
-        reference_density = float(opacity[known].sum() / (GRAMS_PER_CM2 * rock_m))
+        reference_density = float(opacity[known].sum() / (G_CM2_PER_M_WATER_EQUIVALENT * rock_m))
     if not known.any() or not reference_density:
         raise MuyscError(
             f"None of the {len(opacity)} rays through the volume has an opacity above 0; choose an "
@@ -74,7 +74,7 @@ def ray_data(
         least = _LEAST * opacity[known].mean()
         error = relative_error * np.maximum(opacity, least)
     if error is not None:
-        error = np.hypot(error, GRAMS_PER_CM2 * reference_density * length_error_m)
+        error = np.hypot(error, G_CM2_PER_M_WATER_EQUIVALENT * reference_density * length_error_m)
         certain = known & ~(np.isfinite(error) & (error > 0))
         lost[NO_ERROR] = int(np.count_nonzero(certain))
         known &= ~certain

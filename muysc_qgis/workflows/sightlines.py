@@ -9,13 +9,13 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..progress import Progress, part, silent
+from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..tomography.crossings import Stretches
 from ..tomography.ground import holds_rock
 from ..tomography.lattice import Lattice
 from ..tomography.projector import Paths, paths_through
 from ..tomography.rays import Rays, joined
 from ..tomography.rock import rock_along
-from ..tomography.system import GRAMS_PER_CM2
 from ..tomography.voxels import VoxelGrid
 from ..topography.dem import Dem
 from .station_data import UNKNOWN_ROCK, RockSeen, StationData
@@ -67,7 +67,7 @@ class Sightlines:
 
     def opacity(self, integral: np.ndarray, reference_density: float) -> np.ndarray:
         """Return opacities (g/cm²) of rays from density integrals (g/cm³ m) inside the volume."""
-        return GRAMS_PER_CM2 * (integral + reference_density * self.outside_m)
+        return G_CM2_PER_M_WATER_EQUIVALENT * (integral + reference_density * self.outside_m)
 
     def per_pixel(self, values: np.ndarray, other: float = np.nan) -> list[np.ndarray]:
         """Return values of rays as an array for each station, `other` in other pixels."""

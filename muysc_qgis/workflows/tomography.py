@@ -15,10 +15,11 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..progress import Progress, part, report, silent
+from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..tomography.operators import Projector, projector_of
 from ..tomography.projector import MEMORY_LIMIT, Paths, check_memory
 from ..tomography.solvers import Options, method_of, reconstruct
-from ..tomography.system import GRAMS_PER_CM2, System
+from ..tomography.system import System
 from ..tomography.voxels import VoxelGrid
 from ..topography.dem import Dem
 from ..topography.frame import from_wgs84
@@ -190,8 +191,8 @@ def reconstruct_volume(
     warnings = _warnings(lines, used, choices)
     paths = lines.paths.take(used)
     projector, more = _projector(paths, choices, part(progress, 0.0, _BUILT))
-    data = known.opacity / GRAMS_PER_CM2 - reference * lines.outside_m[used]
-    errors = None if known.error is None else known.error / GRAMS_PER_CM2
+    data = known.opacity / G_CM2_PER_M_WATER_EQUIVALENT - reference * lines.outside_m[used]
+    errors = None if known.error is None else known.error / G_CM2_PER_M_WATER_EQUIVALENT
     system = System(projector, data, lines.lattice, paths.rays.view, errors)
     found = reconstruct(
         choices.method, system, _with_reference(choices.options, reference),

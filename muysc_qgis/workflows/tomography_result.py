@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..tomography.solvers import Reconstruction
-from ..tomography.system import GRAMS_PER_CM2, System
+from ..tomography.system import System
 from ..tomography.voxels import VoxelGrid
 from ..volume import Volume
 from .sightlines import Sightlines
@@ -183,8 +184,8 @@ def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[
             StationResidual(
                 station.name,
                 len(which),
-                GRAMS_PER_CM2 * float(left.mean()) if which.size else np.nan,
-                GRAMS_PER_CM2 * _rms(left),
+                G_CM2_PER_M_WATER_EQUIVALENT * float(left.mean()) if which.size else np.nan,
+                G_CM2_PER_M_WATER_EQUIVALENT * _rms(left),
                 _rms(left) / _rms(system.data[which]) if which.size else np.nan,
                 _chi_squared(system, residual, which) if which.size else np.nan,
             )
