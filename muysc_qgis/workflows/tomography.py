@@ -16,6 +16,7 @@ import numpy as np
 from ..errors import MuyscError
 from ..progress import Progress, part, report, silent
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
+from ..radiography.settings import MAXIMUM_DENSITY_G_CM3
 from ..tomography.operators import Projector, projector_of
 from ..tomography.projector import MEMORY_LIMIT, Paths, check_memory
 from ..tomography.solvers import Options, method_of, reconstruct
@@ -72,10 +73,11 @@ class TomographyChoices:
     def __post_init__(self) -> None:
         method_of(self.method)
         density = self.reference_density
-        if density is not None and not 0 < density <= 30:
+        if density is not None and not 0 < density <= MAXIMUM_DENSITY_G_CM3:
             raise MuyscError(
                 f"A reference density of {density:g} g/cm³ is not that of any rock; give one above "
-                "0 and up to 30 g/cm³, or none for the mean that the muograms say."
+                f"0 and up to {MAXIMUM_DENSITY_G_CM3:g} g/cm³, or none for the mean that the "
+                "muograms say."
             )
         for name, value in (("relative error", self.relative_error),
                             ("length error", self.length_error_m)):  # fmt: skip
@@ -137,9 +139,22 @@ def survey(
     memory_bytes: int = MEMORY_LIMIT,
     progress: Progress = silent,
 ) -> Sightlines:
-    """Return the rays of stations through a volume, whatever they see; as in `tomography`."""
-    if not stations:
-        raise MuyscError("No muogram is given; choose those of one station or more.")
+    """Return the rays of stations through a volume, whatever they see.
+
+    Parameters
+    ----------
+    stations, dem, plan, crs, rock, progress
+        As in `tomography`; opacities are not needed.
+    mask, memory_bytes
+        As in `TomographyChoices`.
+
+    Raises
+    ------
+    MuyscError
+        If there is no station, a value cannot be used or no ray meets the rock of the volume.
+    Cancelled
+        If the receiver of the progress asks for a stop.
+    """
     if rock is None:
         rock = rock_of_all(stations, dem, part(progress, 0.0, _TRACED))
     crs = crs or projection_of(stations, dem)
@@ -159,13 +174,19 @@ def projection_of(stations: Sequence[StationData], dem: Dem) -> CRS:
     MuyscError
         If there is no station.
     """
-    if not stations:
-        raise MuyscError("No muogram is given; choose those of one station or more.")
     return projection_for(dem, *_somewhere(stations))
 
 
 def _somewhere(stations: Sequence[StationData]) -> tuple[float, float]:
-    """Return longitude and latitude of the first target, or of the first station."""
+    """Return longitude and latitude of the first target, or of the first station.
+
+    Raises
+    ------
+    MuyscError
+        If there is no station.
+    """
+    if not stations:
+        raise MuyscError("No muogram is given; choose those of one station or more.")
     # A mean longitude would mean nothing across the antimeridian.
     targets = (one.target[:2] for one in stations if one.target is not None)
     return next(targets, (stations[0].longitude, stations[0].latitude))
