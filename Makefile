@@ -76,7 +76,7 @@ package: ## Pack the last commit as a zip that QGIS installs, into build
 	@$(PYTHON) tools/package.py
 
 clean: ## Remove everything made here, .venv too
-	@rm -rf build .venv .pytest_cache .mypy_cache .ruff_cache
+	@rm -rf build .venv .hypothesis .pytest_cache .mypy_cache .ruff_cache
 	@find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 packages:
