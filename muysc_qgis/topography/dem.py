@@ -191,20 +191,6 @@ class Dem:
                 "does not say that it means no data; set the raster's no-data value to it."
             )
 
-    def heights_at(self, column: float, row: float) -> float:
-        """Return the bilinear height (m) at one grid position, NaN if unknown there."""
-        if not bool(self.contains(np.asarray(column), np.asarray(row))):
-            return float("nan")
-        first_column, first_row = int(np.floor(column)), int(np.floor(row))
-        if not self.wraps:
-            first_column = min(max(first_column, 0), self.columns - 2)
-        first_row = min(max(first_row, 0), self.rows - 2)
-        corners = self.read(first_column, first_row, 2, 2)
-        u, v = column - first_column, row - first_row
-        weights = np.outer((1 - v, v), (1 - u, u))
-        # A corner of weight 0 has no say, not even when it is unknown.
-        return float(np.sum(weights[weights > 0] * corners[weights > 0]))
-
 
 @raster_reader
 def open_dem(path: str | Path, band: int = 1, crs: str | None = None, unit: str = "auto") -> Dem:

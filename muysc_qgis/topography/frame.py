@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from ..errors import MuyscError
+from .sampling import heights_at
 
 if TYPE_CHECKING:
     from pyproj import CRS, Geod, Transformer
@@ -197,7 +198,7 @@ def ground_height(dem: Dem, x: float, y: float, what: str) -> float:
             f"y {min(top, bottom):.10g} to {max(top, bottom):.10g} ({dem.crs.name}); move the "
             f"{what} or choose a larger DEM."
         )
-    height = dem.heights_at(float(column), float(row))
+    height = float(heights_at(dem, column, row))
     if np.isnan(height):
         raise MuyscError(
             f"The {what} ({x:.10g}, {y:.10g}) lies where the DEM {dem.name} has no data; "

@@ -13,6 +13,7 @@ from muysc_qgis.survey.body import target_body
 from muysc_qgis.survey.held_dem import held_dem, hold
 from muysc_qgis.telescope.acceptance import trajectories
 from muysc_qgis.telescope.geometry import TelescopeGeometry
+from muysc_qgis.topography.sampling import heights_at
 from muysc_qgis.topography.sight import take_sight
 from muysc_qgis.workflows.simulation import Telescope, simulate
 from muysc_qgis.workflows.site_assessment import NUMBERS, assess, survey_job
@@ -113,8 +114,8 @@ def test_held_terrain_is_the_file_with_its_gaps_and_units(gaps):
     held = held_dem(settings, arrays)
     np.testing.assert_array_equal(held.read(1, 2, 3, 4), gaps.read(1, 2, 3, 4))
     assert np.isnan(held.read(0, 0, 5, 5)).sum() == 1
-    for column, row in ((0.5, 0.25), (3.75, 4.0)):
-        assert held.heights_at(column, row) == gaps.heights_at(column, row)
+    points = np.array([0.5, 3.75]), np.array([0.25, 4.0])
+    np.testing.assert_array_equal(heights_at(held, *points), heights_at(gaps, *points))
 
 
 @pytest.fixture

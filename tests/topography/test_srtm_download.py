@@ -10,6 +10,7 @@ from osgeo import gdal
 
 from muysc_qgis.errors import Cancelled, MuyscError
 from muysc_qgis.topography.dem import open_dem
+from muysc_qgis.topography.sampling import heights_at
 from muysc_qgis.topography.srtm import Extent, Tile, source_of
 from muysc_qgis.topography.srtm_cache import TileCache
 from muysc_qgis.topography.srtm_download import download, notes_on
@@ -96,9 +97,7 @@ def test_across_the_antimeridian_longitudes_go_on(server, cache, tmp_path):
     write_dem(tmp_path / "fiji.tif", mosaic, SOURCE)
     dem = open_dem(tmp_path / "fiji.tif")
     # −179.95° is 180.05°: 100 m × −16.5 + 10 m × 180.05.
-    assert dem.heights_at(*map(float, dem.grid_position(-179.95, -16.5))) == pytest.approx(
-        150.5, abs=1
-    )
+    assert heights_at(dem, *dem.grid_position(-179.95, -16.5)) == pytest.approx(150.5, abs=1)
 
 
 def test_an_extent_smaller_than_a_cell_has_four(server, cache):
