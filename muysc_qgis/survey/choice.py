@@ -25,6 +25,11 @@ def best_sites(
         Most that are wanted.
     apart_m
         Smallest distance between two of them.
+
+    Returns
+    -------
+    numpy.ndarray
+        Their indices, `count` of them or fewer.
     """
     chosen: list[int] = []
     for index in np.argsort(-np.nan_to_num(score), kind="stable"):

@@ -182,10 +182,8 @@ def _tried(ring: Ring) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return azimuth, distance and displacement of the places tried, (count, n) each."""
     shift = np.linspace(-1.0, 1.0, 2 * _TRIED + 1) if ring.tolerance_m else np.zeros(1)
     along, across = (one.ravel() * ring.tolerance_m for one in np.meshgrid(shift, shift))
-    half_gap = np.radians(ring.spacing_deg) * ring.radius_m / 2
+    half_gap = np.radians(ring.spacing_deg) * ring.radius_m / 2 if ring.count > 1 else np.inf
     kept = (np.hypot(along, across) <= ring.tolerance_m) & (np.abs(across) <= half_gap)
-    if ring.count == 1:
-        kept = np.hypot(along, across) <= ring.tolerance_m
     along, across = along[kept], across[kept]
     distance = np.broadcast_to(ring.radius_m + along, (ring.count, len(along)))
     azimuth = ring.azimuths()[:, None] + np.degrees(across / ring.radius_m)

@@ -29,14 +29,8 @@ def distance_to_lines(
         return nearest
     order = np.argsort(x, kind="stable")
     x, y = x[order], y[order]
-    west, east = (
-        np.minimum(segments[:, 0], segments[:, 2]),
-        np.maximum(segments[:, 0], segments[:, 2]),
-    )
-    south, north = (
-        np.minimum(segments[:, 1], segments[:, 3]),
-        np.maximum(segments[:, 1], segments[:, 3]),
-    )
+    west, east = np.sort(segments[:, [0, 2]]).T
+    south, north = np.sort(segments[:, [1, 3]]).T
     first = np.searchsorted(x, west - farthest_m, side="left")
     last = np.searchsorted(x, east + farthest_m, side="right")
     close = (first < last) & (south <= y.max() + farthest_m) & (north >= y.min() - farthest_m)
