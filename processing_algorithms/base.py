@@ -35,8 +35,8 @@ GROUP_ICONS = ROOT / "icons" / "groups"
 class MuyscAlgorithm(QgsProcessingAlgorithm):
     """An algorithm that declares, converts, calls the library once and writes.
 
-    Subclasses set the class attributes and implement `parameters`, `read` and
-    `compute`; `parameters` may add outputs through `addOutput`.
+    Subclasses set the class attributes and implement `declare`, `read` and `compute`;
+    `declare_outputs` adds the outputs that are no files.
     """
 
     NAME = ""
@@ -50,7 +50,7 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         raise NotImplementedError
 
     def declare_outputs(self) -> None:
-        """Add the outputs that are no destination parameters."""
+        """Add the outputs that are no destination parameters, through `addOutput`."""
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Any:
         """Convert parameters to the library's types.
