@@ -140,10 +140,7 @@ def test_of_very_fast_clicks_only_the_last_arrives(planned, hand):
     for step in range(12):
         hand.click(longitude + 0.0004 * step, latitude)
     hand.settle()
-    last = planned.planner.plan.detector
     assert len(arrived) == 1
-    wanted = replace(planned.planner.plan, detector=last)
-    assert wanted == planned.planner.plan
     longitude_seen, _ = arrived[0].inputs.sight.detector_wgs84
     assert longitude_seen == pytest.approx(longitude + 0.0004 * 11, abs=2e-4)
 
