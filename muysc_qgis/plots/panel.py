@@ -18,13 +18,10 @@ from .contours import draw_contours, draw_skyline
 from .directions import Directions, describe, directions_of
 from .frames import Frame, page_axes, place
 from .legend import draw_legend
-from .style import png_bytes, save_png
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.figure import Figure
-
-__all__ = ["muogram_panel", "muogram_panels", "png_bytes", "save_png", "summary_panel"]
 
 #: Pictures wider than this many times their height stand one above another.
 _WIDE = 3.0

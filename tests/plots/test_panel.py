@@ -15,7 +15,8 @@ from matplotlib.image import imread
 
 from muysc_qgis.plots import style
 from muysc_qgis.plots.limits import colour_limits
-from muysc_qgis.plots.panel import muogram_panel, muogram_panels, png_bytes, save_png, summary_panel
+from muysc_qgis.plots.panel import muogram_panel, muogram_panels, summary_panel
+from muysc_qgis.plots.style import png_bytes, save_png
 from muysc_qgis.quantities import COLOUR_STOPS, QUANTITIES
 
 pytestmark = pytest.mark.filterwarnings("error")

@@ -14,7 +14,8 @@ from muysc_qgis.errors import MuyscError
 from muysc_qgis.plots import style
 from muysc_qgis.plots.colours import colour_scale, pixel_colours, sky_mask
 from muysc_qgis.plots.contours import label_places
-from muysc_qgis.plots.panel import muogram_panels, save_png, summary_panel
+from muysc_qgis.plots.panel import muogram_panels, summary_panel
+from muysc_qgis.plots.style import save_png
 from muysc_qgis.quantities import COLOUR_STOPS, QUANTITIES
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -65,7 +66,8 @@ def test_pyplot_is_never_loaded(data_folder):
         "import sys; sys.path.insert(0, sys.argv[1])\n"
         "import numpy as np\n"
         "from muysc_qgis.muogram import Muogram\n"
-        "from muysc_qgis.plots.panel import muogram_panels, png_bytes\n"
+        "from muysc_qgis.plots.panel import muogram_panels\n"
+        "from muysc_qgis.plots.style import png_bytes\n"
         "values, angles = np.arange(25.0).reshape(5, 5), np.arange(5.0)\n"
         "png_bytes(muogram_panels([Muogram('thickness', values, angles, -angles)]))\n"
         "sys.exit('matplotlib.pyplot' in sys.modules)\n"

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import MuyscError
-from muysc_qgis.plots.profile import Ray, section_panel
-from muysc_qgis.plots.rays import rock_intervals, rock_label
+from muysc_qgis.plots.profile import section_panel
+from muysc_qgis.plots.rays import Ray, rock_intervals, rock_label
 
 pytestmark = pytest.mark.filterwarnings("error")
 
