@@ -63,6 +63,10 @@ class RockPaths:
     #: Codes of `Outcome`.
     outcome: np.ndarray
 
+    def count(self, outcome: Outcome) -> int:
+        """Return the number of rays with an outcome."""
+        return int(np.count_nonzero(self.outcome == outcome))
+
 
 def rock_along_rays(
     blocks: Iterable[ProfilePieces],

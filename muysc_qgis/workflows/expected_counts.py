@@ -41,12 +41,8 @@ from ..telescope.sky_table import (
 from ..topography.sight import Sight
 from ..topography.tracing import trace_terrain
 from ..trajectories import TrajectoryMap, describe_telescope
-from .simulation import (
-    check_range,
-    describe,
-    describe_physics,
-    terrain_warnings,
-)
+from .provenance import describe_physics, describe_sight
+from .simulation import check_range, terrain_warnings
 
 #: Share of the progress bar when all rays are traced.
 _TRACED = 0.6
@@ -193,7 +189,7 @@ def expected_counts(
     values = planned_quantities(bins, len(logarithmic), plan, wanted)
     report(progress, 1.0)
     metadata = {
-        **describe(sight, max_range_m, near_field_m),
+        **describe_sight(sight, max_range_m, near_field_m),
         **describe_physics(physics),
         **describe_telescope(geometry, formula),
         "BORESIGHT_AZIMUTH": pointing.azimuth_deg,
@@ -211,13 +207,12 @@ def expected_counts(
     }
     x = geometry.step * merged_offsets(geometry.bars_x, plan.merge)
     y = geometry.step * merged_offsets(geometry.bars_y, plan.merge)[::-1]
-    counts = np.bincount(rock.outcome.ravel(), minlength=len(Outcome))
     return TelescopeCounts(
         {name: TrajectoryMap(name, array, x, y, metadata) for name, array in values.items()},
         bins.means[-1],
         (
             *_all_sky(bins.means[-1]),
-            *terrain_warnings(sight, counts, rock.outcome.size, max_range_m),
+            *terrain_warnings(sight, rock, max_range_m),
             *muons.warnings,
         ),
         _unknown(rock, table, geometry, rough, below, plan.merge),

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from ..radiography.envelope import model_envelope
 from ..radiography.settings import Physics
+from .provenance import altitude_of
 from .simulation import Simulation
 
 
@@ -21,7 +22,7 @@ def with_flux_spread(
     physics
         Its flux model is replaced by every other one.
     altitude_m
-        Altitude of the detector, None for the muograms' DETECTOR_ELEVATION.
+        Altitude of the detector in m, None for the muograms' DETECTOR_ELEVATION.
 
     Raises
     ------
@@ -29,9 +30,7 @@ def with_flux_spread(
         If the altitude is needed and not known.
     """
     opacity = simulation.muograms["opacity"]
-    if altitude_m is None:
-        correct = physics.altitude_correction
-        altitude_m = opacity.number("DETECTOR_ELEVATION") if correct else 0.0
+    altitude_m = altitude_of(opacity, physics, altitude_m)
     spread = model_envelope(opacity.values, opacity.elevation_deg[:, None], physics, altitude_m)
     names = [name for name, rays in spread.rays.items() if rays]
     models = ", ".join(names)

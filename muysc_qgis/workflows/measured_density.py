@@ -30,7 +30,7 @@ from ..views import (
     require_same_directions,
 )
 from .measured import Measurement
-from .simulation import describe_physics
+from .provenance import altitude_of, describe_physics
 
 #: Detectors of two muograms farther apart than this (m) are worth a warning.
 _SAME_PLACE_M = 30.0
@@ -135,7 +135,7 @@ def density_behind(
     choices
         Uncertainty, merging, limits.
     altitude_m
-        Altitude of the detector, None for DETECTOR_ELEVATION of the measured muogram, or
+        Altitude of the detector in m, None for DETECTOR_ELEVATION of the measured muogram, or
         of the thickness where that lacks it.
     progress
         Told the share done.
@@ -149,16 +149,12 @@ def density_behind(
     """
     require_quantity(thickness, ("thickness",), "The thickness muogram")
     require_same_directions(measured.values, measured.values.quantity, thickness, "thickness")
-    if altitude_m is None:
-        altitude_m = 0.0
-        if physics.altitude_correction:
-            known = "DETECTOR_ELEVATION" in measured.values.metadata
-            altitude_m = (measured.values if known else thickness).number("DETECTOR_ELEVATION")
+    placed = measured.values if "DETECTOR_ELEVATION" in measured.values.metadata else thickness
     scene = Scene(
         thickness.values,
         elevation_of(thickness),
         physics,
-        altitude_m,
+        altitude_of(placed, physics, altitude_m),
         choices.model_uncertainty,
     )
     if measured.values.quantity == "transmission":

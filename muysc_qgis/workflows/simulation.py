@@ -18,7 +18,7 @@ from ..progress import Progress, part, report, silent
 from ..radiography.aperture import Aperture
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.counting import check_positive, exposure_days
-from ..radiography.raytracing import Outcome
+from ..radiography.raytracing import Outcome, RockPaths
 from ..radiography.settings import Physics
 from ..radiography.transmission import attenuate
 from ..telescope.acceptance import Trajectories
@@ -27,6 +27,7 @@ from ..topography.footprint import Outline, aperture_outline, ground_seen
 from ..topography.sight import Sight
 from ..topography.tracing import trace_terrain
 from ..trajectories import describe_telescope
+from .provenance import altitude_of, describe_physics, describe_sight
 
 #: What the log says of rays without a flux, by cause.
 _CAUSES = {
@@ -167,25 +168,20 @@ def simulate(
         near_field_m,
         part(progress, 0.0, _TRACED),
     )
-    metadata = describe(sight, max_range_m, near_field_m)
+    metadata = describe_sight(sight, max_range_m, near_field_m)
     thickness = Muogram("thickness", rock.thickness_m.T[::-1], azimuth, elevation, metadata)
     result = through_rock(thickness, physics, telescope, progress=part(progress, _TRACED, 1.0))
     distance = result.muograms["flux"].with_values("distance", rock.distance_m.T[::-1])
-    counts = np.bincount(rock.outcome.ravel(), minlength=len(Outcome))
-    pixels = rock.outcome.size
     return Simulation(
         {**result.muograms, "distance": distance},
-        (
-            *terrain_warnings(sight, counts, pixels, max_range_m),
-            *result.warnings,
-        ),
+        (*terrain_warnings(sight, rock, max_range_m), *result.warnings),
         {
-            "the ray reaches the edge of the DEM in rock": int(counts[Outcome.EDGE]),
-            "the ray passes a gap in the DEM": int(counts[Outcome.NO_DATA]),
+            "the ray reaches the edge of the DEM in rock": rock.count(Outcome.EDGE),
+            "the ray passes a gap in the DEM": rock.count(Outcome.NO_DATA),
             # The two above say why a thickness is unknown.
             **{k: n for k, n in result.unknown.items() if k != _CAUSES["opacity"]},
         },
-        int(counts[Outcome.TRUNCATED]),
+        rock.count(Outcome.TRUNCATED),
     )
 
 
@@ -227,8 +223,7 @@ def through_rock(
             f"The muogram holds {rock.quantity}, and the flux follows from thickness or "
             "opacity; choose a muogram of one of these."
         )
-    if altitude_m is None:
-        altitude_m = rock.number("DETECTOR_ELEVATION") if physics.altitude_correction else 0.0
+    altitude_m = altitude_of(rock, physics, altitude_m)
     report(progress, 0.0)
     muons = attenuate(opacity, rock.elevation_deg[:, None], physics, altitude_m)
     acceptance = telescope.acceptance_toward(rock)
@@ -300,56 +295,15 @@ def check_range(max_range_m: float | None, near_field_m: float) -> None:
         )
 
 
-def describe(
-    sight: Sight, max_range_m: float | None, near_field_m: float
-) -> dict[str, str | float]:
-    """Return what later steps need to know about the geometry."""
-    dem = sight.frame.dem
-    description: dict[str, str | float] = {
-        "DETECTOR_LON": sight.detector_wgs84[0],
-        "DETECTOR_LAT": sight.detector_wgs84[1],
-        "DETECTOR_ELEVATION": sight.detector_elevation_m,
-        "DETECTOR_HEIGHT": sight.detector_height_m,
-        "TARGET_LON": sight.target_wgs84[0],
-        "TARGET_LAT": sight.target_wgs84[1],
-        "TARGET_ELEVATION": sight.target_elevation_m,
-        "TARGET_DISTANCE": sight.target_distance_m,
-        "BORESIGHT_AZIMUTH": sight.boresight_azimuth_deg,
-        "BORESIGHT_ELEVATION": sight.boresight_elevation_deg,
-        "NEAR_FIELD": near_field_m,
-        "DEM": dem.name,
-        "DEM_CRS": dem.crs.name,
-    }
-    if max_range_m is not None:
-        description["MAX_RANGE"] = max_range_m
-    return description
-
-
-def describe_physics(physics: Physics) -> dict[str, str | float]:
-    """Return what later steps need to know about the physics."""
-    return {
-        "MATERIAL": physics.material,
-        "DENSITY": physics.density,
-        "FLUX_MODEL": physics.flux_model,
-        "GAISSER_PARAMETERS": physics.gaisser_parameters,
-        "ENERGY_LOSS": physics.energy_loss,
-        "STRAGGLING": "yes" if physics.straggling else "no",
-        "ALTITUDE_CORRECTION": "yes" if physics.altitude_correction else "no",
-        "DETECTION_THRESHOLD": physics.detection_threshold_gev,
-    }
-
-
-def terrain_warnings(
-    sight: Sight, counts: np.ndarray, pixels: int, max_range_m: float | None
-) -> tuple[str, ...]:
+def terrain_warnings(sight: Sight, rock: RockPaths, max_range_m: float | None) -> tuple[str, ...]:
     """Return a sentence for whatever on the terrain limits the result.
 
     Parameters
     ----------
     sight, max_range_m
-        What was looked at.
-    counts
-        Number of rays by `Outcome`, of `pixels` in all.
+        What was looked at, and how far (m).
+    rock
+        What the rays met.
     """
     warnings = [*sight.frame.dem.assumptions]
     if sight.detector_height_m < 0:
@@ -357,20 +311,24 @@ def terrain_warnings(
             f"The detector is {-sight.detector_height_m:g} m below ground: every ray starts in "
             "rock unless it is in the open by then."
         )
-    if counts[Outcome.EDGE]:
+    pixels = rock.outcome.size
+    edge, gaps, truncated = (
+        rock.count(outcome) for outcome in (Outcome.EDGE, Outcome.NO_DATA, Outcome.TRUNCATED)
+    )
+    if edge:
         warnings.append(
-            f"{counts[Outcome.EDGE]} of {pixels} rays reach the edge of the DEM in rock, so "
-            "their thickness is unknown: use a larger DEM, or set a maximum range to cut them."
+            f"{edge} of {pixels} rays reach the edge of the DEM in rock, so their thickness is "
+            "unknown: use a larger DEM, or set a maximum range to cut them."
         )
-    if counts[Outcome.NO_DATA]:
+    if gaps:
         warnings.append(
-            f"{counts[Outcome.NO_DATA]} of {pixels} rays pass a gap in the DEM lower than the "
-            "highest ground, so their thickness is unknown: fill the gaps."
+            f"{gaps} of {pixels} rays pass a gap in the DEM lower than the highest ground, so "
+            "their thickness is unknown: fill the gaps."
         )
-    if counts[Outcome.TRUNCATED]:
+    if truncated:
         warnings.append(
-            f"{counts[Outcome.TRUNCATED]} of {pixels} rays are still in rock at the maximum "
-            f"range of {max_range_m:g} m: their thickness is cut there."
+            f"{truncated} of {pixels} rays are still in rock at the maximum range of "
+            f"{max_range_m:g} m: their thickness is cut there."
         )
     return tuple(warnings)
 
