@@ -51,14 +51,14 @@ bench: .venv/ready ## Measure time and memory, side by side with other codes
 		PYTHONPATH="$(CURDIR)" $(VENV_PYTHON) "$$script" || exit; done
 
 reference: packages ## Write docs/algorithms.md and docs/reference from what the algorithms declare
-	@$(PYTHON) tools/make_reference.py
-	@$(PYTHON) tools/reference_pages.py
+	@$(PYTHON) -m tools.make_reference
+	@$(PYTHON) -m tools.reference_pages
 
 models: packages ## Write the models that come with the provider
-	@QT_HASH_SEED=0 $(PYTHON) tools/make_models.py
+	@QT_HASH_SEED=0 $(PYTHON) -m tools.make_models
 
 translations: document-packages ## Gather what is to be translated, and compile i18n
-	@$(PYTHON) tools/translations.py
+	@$(PYTHON) -m tools.translations
 
 screenshots: document-packages ## Take the pictures of the user guide, into docs/images
 	@$(PYTHON) tools/screenshots.py

@@ -23,12 +23,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QPointF, QSizeF
 
-if __package__:
-    from .make_reference import ROOT, load_provider
-    from .translations import start_qgis
-else:
-    from make_reference import ROOT, load_provider
-    from translations import start_qgis
+from .declared import ROOT, load_provider, start_qgis
 
 FOLDER = ROOT / "processing_algorithms" / "models"
 GROUP = "Models"

@@ -14,12 +14,17 @@ from pathlib import Path
 from qgis.core import QgsProcessingAlgorithm, QgsProcessingParameterDefinition
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
-if __package__:
-    from .make_reference import ALIAS, ROOT, default, in_order, load_provider
-    from .translations import start_qgis
-else:
-    from make_reference import ALIAS, ROOT, default, in_order, load_provider
-    from translations import start_qgis
+from .declared import (
+    ALIAS,
+    ROOT,
+    declared_by,
+    default,
+    in_order,
+    is_advanced,
+    load_provider,
+    options,
+    start_qgis,
+)
 
 PAGES = ROOT / "docs" / "reference"
 #: Words of the pages themselves.
@@ -53,36 +58,31 @@ def table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
 
 def _meaning(one: QgsProcessingParameterDefinition, one_of: str) -> str:
     said = f"<b>{html.escape(one.description())}.</b> {html.escape(one.help())}"
-    options = getattr(one, "options", list)()
-    if options:
-        said += f" {one_of} {', '.join(f'<code>{html.escape(word)}</code>' for word in options)}."
-    return said
+    words = ", ".join(f"<code>{html.escape(word)}</code>" for word in options(one))
+    return f"{said} {one_of} {words}." if words else said
 
 
 def page(algorithm: QgsProcessingAlgorithm, language: str) -> str:
     """Return the page of an algorithm in the language that it speaks."""
     (parameters, parameter, meaning, standard, outputs, output, optional, advanced, one_of,
      command, every) = WORDS[language]  # fmt: skip
-    flags = QgsProcessingParameterDefinition.Flag
-    inputs, files, needed = [], [], []
-    for one in algorithm.parameterDefinitions():
-        name = f"<code>{one.name()}</code>"
-        if one.isDestination():
-            files.append((name, _meaning(one, one_of)))
-            continue
-        value = html.escape(default(one).replace("*optional*", optional))
-        if not value:
-            needed.append(one.name())
-        if one.flags() & flags.FlagAdvanced:
-            name += f"<br><small>{advanced}</small>"
-        inputs.append((name, _meaning(one, one_of), value))
-    written = {one.name() for one in algorithm.destinationParameterDefinitions()}
+    declared = declared_by(algorithm)
+    mark = f"<br><small>{advanced}</small>"
+    inputs = [
+        (
+            f"<code>{one.name()}</code>{mark if is_advanced(one) else ''}",
+            _meaning(one, one_of),
+            html.escape(default(one, optional)),
+        )
+        for one in declared.inputs
+    ]
+    files = [(f"<code>{one.name()}</code>", _meaning(one, one_of)) for one in declared.files]
     numbers = [
         (f"<code>{one.name()}</code>", f"<b>{html.escape(one.description())}</b>")
-        for one in algorithm.outputDefinitions()
-        if one.name() not in written
+        for one in declared.numbers
     ]
-    line = " ".join(["qgis_process run", algorithm.id(), *(f"--{name}=…" for name in needed)])
+    needed = [f"--{one.name()}=…" for one in declared.inputs if not default(one, optional)]
+    line = " ".join(["qgis_process run", algorithm.id(), *needed])
     title = html.escape(algorithm.displayName())
     return f"""<!DOCTYPE html>
 <html lang="{language}">

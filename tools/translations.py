@@ -9,7 +9,6 @@ are gone are marked as vanished.
 from __future__ import annotations
 
 import ast
-import os
 import shutil
 import subprocess
 import sys
@@ -19,12 +18,9 @@ from importlib import import_module
 from pathlib import Path
 from xml.etree import ElementTree
 
-from qgis.core import QgsApplication, QgsProcessingProvider
+from qgis.core import QgsProcessingProvider
 
-if __package__:
-    from .make_reference import ALIAS, ROOT, load_provider
-else:
-    from make_reference import ALIAS, ROOT, load_provider
+from .declared import ALIAS, ROOT, declared_by, load_provider, start_qgis
 
 FOLDER = ROOT / "i18n"
 CONTEXT = "MUYSC"
@@ -53,10 +49,8 @@ def texts_of_provider(provider: QgsProcessingProvider) -> Iterator[str]:
         for parameter in algorithm.parameterDefinitions():
             yield language.english_label(parameter)
             yield language.english_help(parameter)
-        written = {one.name() for one in algorithm.destinationParameterDefinitions()}
-        for output in algorithm.outputDefinitions():
-            if output.name() not in written:
-                yield output.description()
+        for output in declared_by(algorithm).numbers:
+            yield output.description()
 
 
 def texts_of_sources(folder: Path) -> Iterator[str]:
@@ -127,16 +121,6 @@ def compile_all() -> None:
             [compiler, "-silent", "-removeidentical", path, "-qm", path.with_suffix(".qm")],
             check=True,
         )
-
-
-def start_qgis(profile: str) -> QgsApplication:
-    """Start QGIS in English without a window."""
-    os.environ["QT_QPA_PLATFORM"] = "offscreen"
-    os.environ["QGIS_CUSTOM_CONFIG_PATH"] = os.environ["XDG_RUNTIME_DIR"] = profile
-    os.environ["LANG"] = os.environ["LC_ALL"] = "C.UTF-8"
-    application = QgsApplication([], False, profile)
-    application.initQgis()
-    return application
 
 
 def main() -> None:
