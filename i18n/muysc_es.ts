@@ -2724,6 +2724,10 @@
       <translation>Espesor de roca sobre el terreno</translation>
     </message>
     <message>
+      <source>The muogram cannot be computed ({error}); choose other values.</source>
+      <translation>No se puede calcular el muograma ({error}); elija otros valores.</translation>
+    </message>
+    <message>
       <source>Plan a muon telescope</source>
       <translation>Planear un telescopio de muones</translation>
     </message>
@@ -2802,10 +2806,6 @@
     <message>
       <source>Pick the target: press the button and click what the telescope points at.</source>
       <translation>Marque el objetivo: pulse el botón y haga clic en aquello a lo que apunta el telescopio.</translation>
-    </message>
-    <message>
-      <source>The muogram cannot be computed ({error}); choose other values.</source>
-      <translation>No se puede calcular el muograma ({error}); elija otros valores.</translation>
     </message>
     <message>
       <source>Open sky</source>
@@ -2960,12 +2960,12 @@
       <translation>Tiempo de conteo</translation>
     </message>
     <message>
-      <source>The layer {name} cannot be changed; save it as a GeoPackage.</source>
-      <translation>No se puede cambiar la capa {name}; guárdela como GeoPackage.</translation>
-    </message>
-    <message>
       <source>Site {number}</source>
       <translation>Sitio {number}</translation>
+    </message>
+    <message>
+      <source>The layer {name} cannot be changed; save it as a GeoPackage.</source>
+      <translation>No se puede cambiar la capa {name}; guárdela como GeoPackage.</translation>
     </message>
     <message>
       <source>Days: until the pixel towards the target has {muons} muons.</source>
