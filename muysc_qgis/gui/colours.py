@@ -7,20 +7,16 @@ from qgis.PyQt.QtGui import QImage
 
 from ..plots.colours import has_colour
 from ..plots.limits import colour_limits
-from ..plots.style import SKY, UNKNOWN_LOOK
+from ..plots.style import SKY, UNKNOWN_LOOK, rgb
 from ..quantities import COLOUR_STOPS, Quantity
 
 _SHADES = 256
 UNKNOWN = str(UNKNOWN_LOOK["facecolor"])
 
 
-def _rgb(colour: str) -> list[int]:
-    return [int(colour[i : i + 2], 16) for i in (1, 3, 5)]
-
-
 def shades(quantity: Quantity) -> np.ndarray:
     """Return the colours of a quantity from low to high, (256, 3) bytes."""
-    stops = np.array([_rgb(colour) for colour in COLOUR_STOPS[quantity.colours]], dtype=float)
+    stops = np.array([rgb(colour) for colour in COLOUR_STOPS[quantity.colours]], dtype=float)
     at = np.linspace(0.0, len(stops) - 1.0, _SHADES)
     channels = [np.interp(at, np.arange(len(stops)), channel) for channel in stops.T]
     return np.rint(np.column_stack(channels)).astype(np.uint8)
@@ -49,17 +45,17 @@ def picture_of(values: np.ndarray, quantity: Quantity, sky: np.ndarray) -> QImag
     """
     position = share_along(values, quantity, colour_limits(values, quantity))
     index = np.minimum((position * _SHADES).astype(int), _SHADES - 1)
-    rgb = shades(quantity)[index]
+    picture = shades(quantity)[index]
     coloured = has_colour(values, quantity, sky)
-    rgb[~coloured] = _rgb(UNKNOWN)
-    rgb[sky & ~coloured] = _rgb(SKY)
-    return image_of(rgb)
+    picture[~coloured] = rgb(UNKNOWN)
+    picture[sky & ~coloured] = rgb(SKY)
+    return image_of(picture)
 
 
-def image_of(rgb: np.ndarray) -> QImage:
+def image_of(picture: np.ndarray) -> QImage:
     """Return (rows, columns, 3) bytes as a picture of their own."""
-    rows, columns = rgb.shape[:2]
-    rgbx = np.dstack([rgb[..., ::-1], np.full((rows, columns), 255, np.uint8)])
+    rows, columns = picture.shape[:2]
+    rgbx = np.dstack([picture[..., ::-1], np.full((rows, columns), 255, np.uint8)])
     image = QImage(
         np.ascontiguousarray(rgbx).tobytes(), columns, rows, 4 * columns, QImage.Format.Format_RGB32
     )

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..quantities import COLOUR_STOPS, Quantity
 from .limits import colour_limits
-from .style import SKY
+from .style import SKY, rgb
 
 if TYPE_CHECKING:
     from matplotlib.cm import ScalarMappable
@@ -88,8 +88,7 @@ def pixel_colours(
     picture = scale.to_rgba(shown, bytes=True)
     picture[~coloured] = 0
     if sky is not None:
-        sky_colour = tuple(int(SKY[i : i + 2], 16) for i in (1, 3, 5))
-        picture[sky & ~coloured] = (*sky_colour, 255)
+        picture[sky & ~coloured] = (*rgb(SKY), 255)
     return picture
 
 

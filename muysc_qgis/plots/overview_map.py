@@ -201,11 +201,12 @@ def _draw_areas(
 ) -> list[tuple[str, Artist]]:
     """Draw the ground seen and the field of view; return their legend entries."""
     from matplotlib.collections import PolyCollection
+    from matplotlib.colors import to_rgba
     from matplotlib.patches import Patch
 
     legend: list[tuple[str, Artist]] = []
     seen = {
-        "facecolor": (*_rgb(style.GROUND_SEEN), 0.45),
+        "facecolor": to_rgba(style.GROUND_SEEN, 0.45),
         "edgecolor": style.GROUND_SEEN,
         "linewidth": 0.5,
     }
@@ -223,12 +224,6 @@ def _draw_areas(
             axes.add_collection(PolyCollection(outlines, zorder=order, **look), autolim=False)
             legend.append((label, Patch(**look)))
     return legend
-
-
-def _rgb(colour: str) -> tuple[float, float, float]:
-    """Return the components, 0 to 1, of a colour written as #rrggbb."""
-    red, green, blue = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
-    return red, green, blue
 
 
 def _draw_points(

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-#: Width of every figure (inches): 1200 pixels at 120 dots per inch.
+#: Width of every figure (inches).
 WIDTH_IN = 10.0
 #: Left margin of headings (inches).
 MARGIN_IN = 0.22
@@ -73,6 +73,12 @@ def new_figure(width_in: float, height_in: float) -> Figure:
 def plain(text: str) -> str:
     """Return text that matplotlib shows as it is, dollar signs included."""
     return text.replace("$", r"\$")
+
+
+def rgb(colour: str) -> tuple[int, int, int]:
+    """Return the components, 0 to 255, of a colour written as #rrggbb."""
+    red, green, blue = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
+    return red, green, blue
 
 
 def style_axes(axes: Axes) -> None:

@@ -43,15 +43,10 @@ def cell_colours(cut: Cut, scale: ScalarMappable, rock: np.ndarray | None) -> np
     """
     picture = scale.to_rgba(np.nan_to_num(cut.values), bytes=True)
     known = np.isfinite(cut.values)
-    picture[~known] = _bytes(style.SKY) if cut.is_vertical else 0
+    picture[~known] = (*style.rgb(style.SKY), 255) if cut.is_vertical else 0
     if rock is not None:
-        picture[~known & rock] = _bytes(UNSEEN)
+        picture[~known & rock] = (*style.rgb(UNSEEN), 255)
     return picture.transpose(1, 0, 2)[::-1]
-
-
-def _bytes(colour: str) -> tuple[int, int, int, int]:
-    red, green, blue = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
-    return red, green, blue, 255
 
 
 def draw_cut(
