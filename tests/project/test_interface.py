@@ -1,8 +1,20 @@
 """What scripts, models and histories store is there for good: names may be added, none may go."""
 
 import pytest
+from osgeo import gdal
 
+from muysc_qgis.muogram import write_muogram
 from muysc_qgis.quantities import QUANTITIES
+from muysc_qgis.radiography.aperture import Aperture
+from muysc_qgis.radiography.settings import Physics
+from muysc_qgis.telescope.acceptance import trajectories
+from muysc_qgis.telescope.geometry import TelescopeGeometry
+from muysc_qgis.topography.dem import open_dem
+from muysc_qgis.topography.sight import take_sight
+from muysc_qgis.trajectories import maps_of, write_trajectories
+from muysc_qgis.workflows.simulation import Telescope, simulate
+
+gdal.UseExceptions()
 
 #: Units of what rasters hold, by the name in their metadata.
 UNITS = {
@@ -10,6 +22,18 @@ UNITS = {
     "open_sky": "cm⁻² sr⁻¹ day⁻¹", "transmission": "1", "exposure": "days", "counts": "1",
     "density": "g/cm³", "distance": "m",
 }  # fmt: skip
+
+#: What a raster says of itself, in the metadata domain MUYSC: any, a simulated muogram, and
+#: one in telescope angles.
+ANY_RASTER = "QUANTITY UNIT VERSION"
+MUOGRAM = f"""
+    {ANY_RASTER} DETECTOR_LON DETECTOR_LAT DETECTOR_ELEVATION DETECTOR_HEIGHT BORESIGHT_AZIMUTH
+    BORESIGHT_ELEVATION TARGET_LON TARGET_LAT TARGET_ELEVATION TARGET_DISTANCE DEM DEM_CRS
+    NEAR_FIELD MATERIAL DENSITY FLUX_MODEL GAISSER_PARAMETERS ENERGY_LOSS STRAGGLING
+    ALTITUDE_CORRECTION DETECTION_THRESHOLD ACCEPTANCE MUONS"""
+TELESCOPE_ANGLES = f"""
+    {ANY_RASTER} PROJECTION AXIS_X AXIS_Y TELESCOPE BARS_X BARS_Y PIXEL_SIZE SEPARATION PLANES
+    TANGENT_STEP FORMULA"""
 
 MATERIALS = """
     standard_rock water ice limestone dolomite quartzite granite granodiorite diorite andesite
@@ -209,6 +233,31 @@ def test_a_new_name_is_written_down_here(declared_by, root):
     for algorithm, names in declared_by(root).items():
         assert {*names["parameters"], *names["outputs"]} <= known.get(algorithm, set()), algorithm
         assert names["words"].keys() <= WORDS.keys(), algorithm
+
+
+def test_the_provider_keeps_its_name(provider):
+    assert (provider.id(), provider.name()) == ("muysc", "MUYSC")
+
+
+def keys_of(path):
+    return set(gdal.Open(str(path)).GetMetadata("MUYSC"))
+
+
+def test_no_key_of_a_muogram_is_gone(data_folder, tmp_path):
+    dem = open_dem(data_folder / "vesuvius_srtmgl1.tif")
+    sight = take_sight(dem, (14.410686, 40.810561), (14.424745, 40.823729))
+    simulation = simulate(sight, Aperture(20.0, 10.0, 2, 2), Physics(), Telescope(6.0))
+    assert simulation.muograms.keys() >= UNITS.keys() - {"counts", "density"}
+    for name, muogram in simulation.muograms.items():
+        write_muogram(muogram, tmp_path / f"{name}.tif")
+        assert keys_of(tmp_path / f"{name}.tif") == set(MUOGRAM.split()), name
+
+
+def test_no_key_of_a_raster_in_telescope_angles_is_gone(tmp_path):
+    collected = trajectories(TelescopeGeometry(2, 2, 5.0, 100.0), "exact")
+    for name, one in maps_of(collected, "two bars").items():
+        write_trajectories(one, tmp_path / f"{name}.tif")
+        assert keys_of(tmp_path / f"{name}.tif") == set(TELESCOPE_ANGLES.split()), name
 
 
 def test_quantities_keep_their_names_and_units():
