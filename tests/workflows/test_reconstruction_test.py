@@ -11,7 +11,6 @@ from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.survey.ring import Ring, ring_places
 from muysc_qgis.tomography.solvers import Options
 from muysc_qgis.tomography.voxels import VoxelGrid
-from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.topography.frame import from_wgs84
 from muysc_qgis.workflows.known_model import KnownModel, Prism, density_in
 from muysc_qgis.workflows.reconstruction_test import _contrast_along, reconstruct_known_model
@@ -31,11 +30,6 @@ PLAN = VolumePlan(
     (MIDDLE[0] - 500, MIDDLE[0] + 500, MIDDLE[1] - 500, MIDDLE[1] + 500), 100.0, None, 900.0, 1300.0
 )
 EXACT = TomographyChoices("lsmr", Options(regularization=0.0, iterations=400), ROCK)
-
-
-@pytest.fixture(scope="module")
-def dem(data_folder):
-    return open_dem(data_folder / "vesuvius_srtmgl1.tif")
 
 
 @pytest.fixture(scope="module")

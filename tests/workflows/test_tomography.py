@@ -4,25 +4,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from pyproj import Geod
 
 from muysc_qgis.errors import Cancelled, MuyscError
-from muysc_qgis.muogram import Muogram
-from muysc_qgis.radiography.aperture import Aperture
-from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.tomography.figures_of_merit import contrast_recovered
 from muysc_qgis.tomography.operators import projector_of
 from muysc_qgis.tomography.phantoms import conduit, share_inside, with_body
 from muysc_qgis.tomography.solvers import Options
-from muysc_qgis.topography.dem import open_dem
-from muysc_qgis.topography.frame import from_wgs84
-from muysc_qgis.topography.sight import take_sight
 from muysc_qgis.trajectories import TrajectoryMap
 from muysc_qgis.workflows import tomography as workflow
 from muysc_qgis.workflows.muogram_data import bare_stations, read_survey
 from muysc_qgis.workflows.named_view import NamedView
 from muysc_qgis.workflows.ray_data import NO_ERROR, NO_VALUE, ray_data
-from muysc_qgis.workflows.simulation import Telescope, simulate
 from muysc_qgis.workflows.station_data import rock_of_all
 from muysc_qgis.workflows.tomography import (
     TomographyChoices,
@@ -33,47 +25,16 @@ from muysc_qgis.workflows.tomography import (
 )
 from muysc_qgis.workflows.volume_plan import VolumePlan
 
-#: The crater, and how far from it the stations stand.
-CRATER, AWAY_M, STATIONS = (14.4265, 40.8215), 1500.0, 6
-DENSITY = 2.4
+#: The crater around which the stations stand, and the density (g/cm³) that they see.
+CRATER, DENSITY = (14.4265, 40.8215), 2.4
 #: The cone, in the UTM zone.
 PLAN = VolumePlan((450_600, 452_700, 4_518_000, 4_520_100), 100.0, None, 700.0, 1300.0)
 
 
 @pytest.fixture(scope="module")
-def dem(data_folder):
-    return open_dem(data_folder / "vesuvius_srtmgl1.tif")
-
-
-@pytest.fixture(scope="module")
-def simulations(dem):
-    """What telescopes all around the cone see if it is of one density."""
-    target = from_wgs84(dem.crs, *CRATER)
-    found = []
-    for azimuth in np.arange(STATIONS) * 360.0 / STATIONS:
-        place = Geod(ellps="WGS84").fwd(*CRATER, azimuth, AWAY_M)[:2]
-        sight = take_sight(dem, from_wgs84(dem.crs, *place), target, 2.0, 60.0)
-        physics = Physics(density_g_cm3=DENSITY)
-        found.append(simulate(sight, Aperture(60, 24, 24, 14), physics, Telescope()))
-    return found
-
-
-def views(simulations, quantity):
-    return [
-        NamedView(f"site_{number}_{quantity}", one.muograms[quantity])
-        for number, one in enumerate(simulations)
-    ]
-
-
-def changed(one, quantity, values, **metadata):
-    """Another quantity on the directions of a muogram."""
-    return NamedView(f"{one.name}_{quantity}", one.view.with_values(quantity, values, **metadata))
-
-
-@pytest.fixture(scope="module")
-def lines(dem, simulations):
+def lines(dem, views):
     """Rays through the cone, without data."""
-    return survey(bare_stations(views(simulations, "opacity")), dem, PLAN)
+    return survey(bare_stations(views("opacity")), dem, PLAN)
 
 
 def filled(lines, opacity, error):
@@ -82,30 +43,31 @@ def filled(lines, opacity, error):
     return replace(lines, stations=tuple(one.with_opacity(*pair) for one, *pair in pairs))
 
 
-def test_every_quantity_leads_to_the_density_of_a_uniform_mountain(dem, simulations):
+def test_every_quantity_leads_to_the_density_of_a_uniform_mountain(dem, views):
     choices = TomographyChoices("sirt", Options(iterations=5), relative_error=0.05)
     for quantity in ("opacity", "thickness", "flux", "transmission"):
-        data = read_survey(views(simulations, quantity), [], dem)
+        data = read_survey(views(quantity), [], dem)
         result = tomography(data.stations, dem, PLAN, choices, rock=data.rock)
         assert result.reference_density == pytest.approx(DENSITY, rel=1e-4), quantity
         np.testing.assert_allclose(result.density.values[result.density.known], DENSITY, rtol=2e-4)
 
 
-def test_mean_densities_along_rays_are_data_too(dem, simulations):
-    given = views(simulations, "thickness")
+def test_mean_densities_along_rays_are_data_too(dem, views):
+    seen = [one.view for one in views("thickness")]
     densities = [
-        changed(one, "density", np.where(one.view.values > 0, DENSITY, np.nan)) for one in given
+        NamedView("", one.with_values("density", np.where(one.values > 0, DENSITY, np.nan)))
+        for one in seen
     ]
     data = read_survey(densities, [], dem)
     result = tomography(data.stations, dem, PLAN, TomographyChoices("lsmr"), rock=data.rock)
     np.testing.assert_allclose(result.density.values[result.density.known], DENSITY, rtol=1e-4)
 
 
-def test_telescope_angles_are_directions_too(dem, simulations):
+def test_telescope_angles_are_directions_too(dem, views):
     """Opacities along the middle of each trajectory of a telescope that is turned a little."""
     given = []
     tangent = np.linspace(-0.3, 0.3, 13)
-    for number, one in enumerate(views(simulations, "opacity")):
+    for number, one in enumerate(views("opacity")):
         bare = TrajectoryMap(
             "opacity", np.zeros((13, 13)), tangent, tangent[::-1],
             {**one.view.metadata, "ROLL": 10.0, "TANGENT_STEP": 0.05},
@@ -156,11 +118,11 @@ def test_a_light_conduit_is_found_where_it_is(lines, method):
     assert result.deviation is None  # not asked for
 
 
-def test_air_and_unseen_voxels_are_unknown_and_all_is_counted(dem, simulations):
-    given = views(simulations, "opacity")
+def test_air_and_unseen_voxels_are_unknown_and_all_is_counted(dem, views):
+    given = views("opacity")
     holes = given[0].view.values.copy()
     holes[5:8] = np.nan
-    given[0] = changed(given[0], "opacity", holes)
+    given[0] = replace(given[0], view=given[0].view.with_values("opacity", holes))
     data = read_survey(given, [], dem)
     result = tomography(data.stations, dem, PLAN, TomographyChoices("sirt"), rock=data.rock)
     rays, density = result.coverage.values, result.density.values
@@ -168,13 +130,13 @@ def test_air_and_unseen_voxels_are_unknown_and_all_is_counted(dem, simulations):
     assert np.count_nonzero(np.isfinite(rays)) == result.rock_voxels
     assert np.count_nonzero(rays == 0) == result.unseen_voxels > 0
     assert result.rays + sum(result.lost.values()) == sum(one.view.values.size for one in given)
-    known = np.isfinite(simulations[0].muograms["opacity"].values[5:8])
+    known = np.isfinite(views("opacity")[0].view.values[5:8])
     assert 0 < result.lost[NO_VALUE] <= np.count_nonzero(known)
     assert sum(one.rays for one in result.residuals) == result.rays
 
 
-def test_without_a_mask_the_sky_shows_where_the_air_is(dem, simulations):
-    data = read_survey(views(simulations, "opacity"), [], dem)
+def test_without_a_mask_the_sky_shows_where_the_air_is(dem, views):
+    data = read_survey(views("opacity"), [], dem)
     choices = TomographyChoices("sirt", Options(iterations=60), mask=False)
     plan = replace(PLAN, top_m=1600.0)
     result = tomography(data.stations, dem, plan, choices, rock=data.rock)
@@ -205,8 +167,8 @@ def test_voxels_that_do_not_fit_name_a_size_that_does(lines):
             "sirt", memory_bytes=300_000))  # fmt: skip
 
 
-def test_one_station_is_warned_of(dem, simulations):
-    data = read_survey(views(simulations, "opacity")[:1], [], dem)
+def test_one_station_is_warned_of(dem, views):
+    data = read_survey(views("opacity")[:1], [], dem)
     result = tomography(data.stations, dem, PLAN, TomographyChoices("sirt"), rock=data.rock)
     assert any("one station only" in warning for warning in result.warnings)
 
@@ -218,50 +180,16 @@ def test_too_few_iterations_are_told(lines):
     assert any("did not settle within 2 iterations" in text for text in result.warnings)
 
 
-def test_muograms_of_another_terrain_are_warned_of(dem, simulations):
-    (one,) = views(simulations, "thickness")[:1]
-    high = one.view.number("DETECTOR_ELEVATION") + 60
-    moved = changed(one, "thickness", 1.2 * one.view.values, DETECTOR_ELEVATION=high)
-    assert read_survey([one], [], dem).warnings[1:] == ()
-    _, ground, thickness = read_survey([moved], [], dem).warnings
-    assert "its detector stands 60 m above the ground of vesuvius_srtmgl1.tif" in ground
-    assert "through the elevation model differ by" in thickness
-
-
-def test_a_start_that_explains_the_data_is_told(dem, simulations):
-    data = read_survey(views(simulations, "opacity"), [], dem)
+def test_a_start_that_explains_the_data_is_told(dem, views):
+    data = read_survey(views("opacity"), [], dem)
     choices = TomographyChoices("sirt", relative_error=0.05)
     result = tomography(data.stations, dem, PLAN, choices, rock=data.rock)
     assert result.reconstruction.iterations_done == 0
     assert any("One density of 2.4 g/cm³ explains the data" in text for text in result.warnings)
 
 
-def test_errors_find_their_muograms_in_any_order(dem, simulations):
-    given = views(simulations, "opacity")[:3]
-    errors = [
-        changed(one, "opacity_error", np.full(one.view.values.shape, 100.0 * (number + 1)))
-        for number, one in enumerate(given)
-    ]
-    data = read_survey(given, errors[::-1], dem)
-    assert [np.nanmedian(one.error) for one in data.stations] == [100, 200, 300]
-
-
-def test_errors_of_a_flux_become_those_of_the_opacity(dem, simulations):
-    """σ(ln ϱ) = σ(ln I) / |d ln I/d ln ϱ|, with the slope by finite differences of the data."""
-    given = views(simulations, "flux")[:1]
-    share = 0.01
-    errors = [changed(one, "flux_error", share * one.view.values) for one in given]
-    (station,) = read_survey(given, errors, dem).stations
-    brighter = changed(given[0], "flux", given[0].view.values * (1 - share))
-    (denser,) = read_survey([replace(brighter, name=given[0].name)], [], dem).stations
-    rock = station.opacity > 1e4
-    np.testing.assert_allclose(
-        station.error[rock], (denser.opacity - station.opacity)[rock], rtol=0.03
-    )
-
-
-def test_the_suggested_volume_holds_the_cone(dem, simulations):
-    bare = bare_stations(views(simulations, "opacity"))
+def test_the_suggested_volume_holds_the_cone(dem, views):
+    bare = bare_stations(views("opacity"))
     lines = survey(bare, dem, VolumePlan(voxels=30))
     x, y = lines.frame.place(*CRATER)
     for axis, place in ((0, x), (1, y)):
@@ -271,50 +199,14 @@ def test_the_suggested_volume_holds_the_cone(dem, simulations):
     assert lines.inside_m.sum() > 0.6 * lines.thickness_m.sum()
 
 
-def test_a_run_can_be_stopped(dem, simulations):
-    data = read_survey(views(simulations, "opacity"), [], dem)
+def test_a_run_can_be_stopped(dem, views):
+    data = read_survey(views("opacity"), [], dem)
     for most in (0.1, 0.4, 0.8):
         with pytest.raises(Cancelled):
             tomography(
                 data.stations, dem, PLAN, TomographyChoices("tv", relative_error=0.001),
                 progress=lambda done, most=most: done < most,
             )  # fmt: skip
-
-
-REFUSALS = [
-    (lambda v: [v["opacity"][0], v["flux"][1]], [], r"different quantities: opacity .* and flux"),
-    (lambda v: [], [], r"No muogram is given"),
-    (lambda v: [changed(v["flux"][0], "counts", v["flux"][0].view.values)], [],
-     r"hold counts, and opacity follows from density, opacity, flux"),
-    (lambda v: v["opacity"][:2], lambda v: v["flux"][:1], r"are opacity_error; choose such"),
-    (lambda v: v["opacity"][1:3],
-     lambda v: [changed(v["opacity"][0], "opacity_error", v["opacity"][0].view.values)],
-     r"belong to none of the muograms"),
-    (lambda v: v["opacity"][:2],
-     lambda v: [changed(v["opacity"][0], "opacity_error", v["opacity"][0].view.values)],
-     r"site_1_opacity has no errors, which 1 of 2 muograms have"),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("muograms", "errors", "sentence"), REFUSALS)
-def test_muograms_that_do_not_go_together_are_refused(dem, simulations, muograms, errors, sentence):
-    given = {name: views(simulations, name) for name in ("opacity", "flux")}
-    with pytest.raises(MuyscError, match=sentence):
-        read_survey(muograms(given), errors(given) if errors else [], dem)
-
-
-@pytest.mark.parametrize(
-    ("quantity", "key"),
-    [("opacity", "DETECTOR_LON"), ("flux", "FLUX_MODEL"), ("thickness", "DENSITY")],
-)
-def test_missing_metadata_name_the_key_and_the_file(dem, simulations, quantity, key):
-    one = views(simulations, quantity)[0]
-    metadata = {name: value for name, value in one.view.metadata.items() if name != key}
-    bare = Muogram(
-        quantity, one.view.values, one.view.azimuth_deg, one.view.elevation_deg, metadata
-    )
-    with pytest.raises(MuyscError, match=rf"site_0_{quantity} .*lacks the metadata key {key} \("):
-        read_survey([NamedView(one.name, bare)], [], dem)
 
 
 @pytest.mark.parametrize(
@@ -333,8 +225,8 @@ def test_missing_metadata_name_the_key_and_the_file(dem, simulations, quantity, 
          r"reaches beyond the elevation model vesuvius"),
     ],
 )  # fmt: skip
-def test_volumes_that_cannot_be_are_refused(dem, simulations, plan, sentence):
-    bare = bare_stations(views(simulations, "opacity"))
+def test_volumes_that_cannot_be_are_refused(dem, views, plan, sentence):
+    bare = bare_stations(views("opacity"))
     with pytest.raises(MuyscError, match=sentence):
         survey(bare, dem, plan())
 
@@ -391,8 +283,8 @@ def test_bayes_without_errors_says_what_it_needs(lines):
         reconstruct_volume(lines, TomographyChoices("sirt"))
 
 
-def test_stations_need_the_terrain(dem, simulations):
-    (one,) = bare_stations(views(simulations, "opacity")[:1])
+def test_stations_need_the_terrain(dem, views):
+    (one,) = bare_stations(views("opacity")[:1])
     with pytest.raises(MuyscError, match=r"detector of site_0_opacity .* is off the DEM"):
         rock_of_all([replace(one, longitude=20.0)], dem)
     assert projection_of([one], dem).to_epsg() == 32633

@@ -26,11 +26,6 @@ EARTH = Geod(ellps="WGS84")
 
 
 @pytest.fixture(scope="module")
-def dem(data_folder):
-    return open_dem(data_folder / "vesuvius_srtmgl1.tif")
-
-
-@pytest.fixture(scope="module")
 def projected(data_folder, tmp_path_factory):
     """The same terrain in the projection of the volume."""
     path = str(tmp_path_factory.mktemp("dem") / "utm.tif")
