@@ -44,7 +44,6 @@ from .parameters.physics import (
     telescope_parameters,
 )
 from .parameters.sites import read_sites, sites_parameters
-from .parameters.survey import read_workers, workers_parameter
 from .parameters.terrain import dem_parameters, read_dem
 from .parameters.values import choices, read_choices, read_number
 from .parameters.view import (
@@ -53,6 +52,7 @@ from .parameters.view import (
     read_point,
     target_parameters,
 )
+from .parameters.workers import read_workers, workers_parameter
 
 _QUANTITIES = (
     "thickness", "opacity", "flux", "minimum_energy", "open_sky", "transmission", "exposure",

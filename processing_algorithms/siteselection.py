@@ -16,6 +16,7 @@ from qgis.core import (
 from ..muysc_qgis.errors import Cancelled
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.survey.blocks import remove_finished
+from ..muysc_qgis.survey.search import Search
 from ..muysc_qgis.workflows.simulation import check_range
 from ..muysc_qgis.workflows.site_assessment import SurveyPlan
 from ..muysc_qgis.workflows.site_selection import Selection, Wanted, select_sites
@@ -31,15 +32,11 @@ from .parameters.physics import (
     telescope_parameters,
 )
 from .parameters.survey import (
-    Search,
     candidate_parameters,
     choice_parameters,
     read_search,
     read_wanted,
-    read_workers,
-    scheduler_parameter,
     target_body_parameters,
-    workers_parameter,
 )
 from .parameters.terrain import dem_parameters, read_dem
 from .parameters.values import read_number
@@ -50,6 +47,7 @@ from .parameters.view import (
     read_point,
     target_parameters,
 )
+from .parameters.workers import read_workers, scheduler_parameter, workers_parameter
 
 #: Pixels across and up by default: coarser than a muogram, of which nobody sees the pixels.
 _PIXELS = 64

@@ -1,8 +1,7 @@
-"""Parameters of a survey: where candidates lie, what they must keep to, who computes."""
+"""Parameters of a survey: where candidates lie, what they must keep to, how many are chosen."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,16 +11,13 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterRasterLayer,
-    QgsProcessingParameterString,
     QgsRasterLayer,
 )
 
 from ...muysc_qgis.errors import MuyscError
-from ...muysc_qgis.survey.candidates import Candidates, Limits, find_candidates
-from ...muysc_qgis.survey.map_grid import grid_around, grid_over, survey_crs
-from ...muysc_qgis.survey.masks import mask_of
+from ...muysc_qgis.survey.candidates import Limits
+from ...muysc_qgis.survey.search import Search
 from ...muysc_qgis.topography.dem import Dem
-from ...muysc_qgis.topography.frame import transformed
 from ...muysc_qgis.workflows.site_selection import Wanted
 from ..compat import VECTOR_LINE, VECTOR_POINT
 from .sites import placed, point_source, points_of, transform_to
@@ -152,63 +148,6 @@ def choice_parameters() -> list[QgsProcessingParameterDefinition]:
     ]  # fmt: skip
 
 
-def workers_parameter() -> QgsProcessingParameterDefinition:
-    """Declare how many processes compute."""
-    return number(
-        "WORKERS", "Worker processes (empty: one for each processor)",
-        "Give the number of processes that compute, 0 or more; 0 and 1 compute in QGIS itself.",
-        None, 0, whole=True, advanced=True,
-    )  # fmt: skip
-
-
-def scheduler_parameter() -> QgsProcessingParameterDefinition:
-    """Declare the cluster that computes."""
-    return explained(
-        QgsProcessingParameterString(
-            "SCHEDULER", "Dask scheduler (empty: this machine)", None, False, True
-        ),
-        "Address of the scheduler of a Dask cluster, such as tcp://10.0.0.1:8786, whose workers "
-        "compute in place of this machine. It needs the Python library distributed.",
-        advanced=True,
-    )
-
-
-@dataclass(frozen=True)
-class Search:
-    """Where candidates are looked for; layers are read, limits are not applied yet."""
-
-    dem: Dem
-    target: tuple[float, float]
-    limits: Limits
-    spacing_m: float
-    #: (n, 2) points and (m, 4) segments in the DEM's CRS, None for none.
-    points: np.ndarray | None
-    roads: np.ndarray | None
-    #: File and CRS of the mask.
-    mask: tuple[str, str] | None
-
-    def candidates(self) -> Candidates:
-        """Return the places that keep to all limits.
-
-        Raises
-        ------
-        MuyscError
-            If there is none, or the spacing makes too many.
-        """
-        dem, crs = self.dem, survey_crs(self.dem, self.target)
-        roads = self.roads
-        if roads is not None:
-            ends = [transformed(dem.crs, crs, *roads[:, i : i + 2].T) for i in (0, 2)]
-            roads = np.column_stack([*ends[0], *ends[1]])
-        mask = None if self.mask is None else mask_of(*self.mask)
-        if self.points is None:
-            grid = grid_around(dem, self.target, self.limits.farthest_m, self.spacing_m)
-            return find_candidates(dem, self.target, grid, self.limits, None, mask, roads)
-        x, y = transformed(dem.crs, crs, *self.points.T)
-        grid = grid_over(crs, x, y, self.spacing_m)
-        return find_candidates(dem, self.target, grid, self.limits, (x, y), mask, roads)
-
-
 def read_search(
     algorithm: QgsProcessingAlgorithm,
     parameters: dict[str, Any],
@@ -266,24 +205,6 @@ def read_wanted(
         read_count(*read, "TELESCOPES", context),
         read_number(*read, "COVERED_ANGLE", context),
     )
-
-
-def read_workers(
-    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> int | None:
-    """Return the number of workers, None for one for each processor.
-
-    Raises
-    ------
-    MuyscError
-        If the number is negative or no whole one.
-    """
-    workers = read_number(algorithm, parameters, "WORKERS", context)
-    if workers is not None and (workers < 0 or workers != round(workers)):
-        raise MuyscError(
-            f"{workers:g} worker processes are impossible; give a whole number from 0."
-        )
-    return None if workers is None else int(workers)
 
 
 def _read_points(
