@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import style, ticks
+from .frames import new_axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,18 +22,10 @@ LEFT_IN, RIGHT_IN = 0.75, 0.2
 
 def place(figure: Figure, left_in: float, top_in: float, width_in: float, height_in: float) -> Axes:
     """Add axes at a distance from the top left corner of a figure (inches)."""
-    width, height = figure.get_size_inches()
-    axes = figure.add_axes(
-        (
-            left_in / width,
-            1 - (top_in + height_in) / height,
-            width_in / width,
-            height_in / height,
-        )
-    )
+    bottom_in = figure.get_size_inches()[1] - top_in - height_in
+    axes = new_axes(figure, (left_in, bottom_in, width_in, height_in))
     style.style_axes(axes)
-    axes.grid(color="#e4e4e4", linewidth=0.5)
-    axes.set_axisbelow(True)
+    style.add_grid(axes)
     return axes
 
 

@@ -8,7 +8,7 @@ transforms from its values, and from shares of its sides, to the page.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -47,6 +47,13 @@ class Frame:
     def on_page(self, points: np.ndarray) -> np.ndarray:
         """Return points, (n, 2) values, in the coordinates of the axes."""
         return np.asarray((self.values - self.axes.transData).transform(points))
+
+
+def new_axes(figure: Figure, box: Box, **look: Any) -> Axes:
+    """Return axes with scales of their own in a box; further arguments go to matplotlib."""
+    width, height = figure.get_size_inches()
+    left, bottom, wide, high = box
+    return figure.add_axes((left / width, bottom / height, wide / width, high / height), **look)
 
 
 def page_axes(figure: Figure) -> Axes:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..topography.relief import Relief
 from . import scales, style, ticks
-from .frames import whole
+from .frames import new_axes, whole
 from .legend import draw_legend
 from .map_marks import draw_north, draw_scale_bar
 
@@ -86,9 +86,7 @@ def overview_map(
     page = heading + height + _BELOW_IN
     figure = style.new_figure(style.WIDTH_IN, page)
     style.add_heading(figure, title, lines)
-    axes = figure.add_axes(
-        (_LEFT_IN / style.WIDTH_IN, _BELOW_IN / page, width / style.WIDTH_IN, height / page)
-    )
+    axes = new_axes(figure, (_LEFT_IN, _BELOW_IN, width, height))
     legend = [
         *_draw_points(axes, target_east_north_m, detector_name, target_name),
         *_draw_areas(axes, wedge, ground),

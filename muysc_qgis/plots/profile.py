@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import MuyscError
 from . import scales, style, ticks
-from .frames import whole
+from .frames import new_axes, whole
 from .legend import draw_legend
 from .rays import Ray, ray_height_m, rock_intervals, rock_label
 
@@ -114,14 +114,7 @@ def section_panel(
     page = heading + height + _BELOW_IN + legend_height
     figure = style.new_figure(style.WIDTH_IN, page)
     style.add_heading(figure, title, lines)
-    axes = figure.add_axes(
-        (
-            _LEFT_IN / style.WIDTH_IN,
-            (_BELOW_IN + legend_height) / page,
-            _WIDTH_IN / style.WIDTH_IN,
-            height / page,
-        )
-    )
+    axes = new_axes(figure, (_LEFT_IN, _BELOW_IN + legend_height, _WIDTH_IN, height))
     axes.set_xlim(0.0, end)
     axes.set_ylim(lowest, highest)
     legend = _draw_ends(axes, detector_elevation_m, rays, target_distance_m)

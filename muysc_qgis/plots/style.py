@@ -91,6 +91,19 @@ def style_axes(axes: Axes) -> None:
         spine.set_linewidth(THIN_LINE_WIDTH)
 
 
+def add_grid(axes: Axes) -> None:
+    """Draw a light grid below everything else in axes."""
+    axes.grid(color="#e4e4e4", linewidth=0.5)
+    axes.set_axisbelow(True)
+
+
+def add_title(axes: Axes, title: str, pad_points: float | None = None) -> None:
+    """Write a title above the left end of axes."""
+    axes.set_title(
+        title, fontsize=HEADING_SIZE, fontweight="bold", loc="left", color=INK, pad=pad_points
+    )
+
+
 def add_heading(
     figure: Figure,
     title: str,

@@ -11,6 +11,7 @@ from ..survey.choice import AZIMUTHS_DEG, coverage
 from ..workflows.site_assessment import SurveyPlan
 from ..workflows.site_selection import Selection
 from . import charts, style, ticks
+from .frames import new_axes
 from .map_marks import draw_north, draw_scale_bar
 from .survey_map import SurveyMap
 
@@ -57,7 +58,6 @@ def survey_panel(selection: Selection, plan: SurveyPlan) -> Figure:
         figure,
         "Where to put the telescope",
         [f"{count} candidates around the target on the elevation model {plan.dem.name}"],
-        0.22,
     )
     axes = charts.place(figure, _MAP_LEFT, _MAP_TOP, _MAP, _MAP)
     maps = SurveyMap.of(selection, plan)
@@ -91,10 +91,7 @@ def survey_maps(selection: Selection, plan: SurveyPlan) -> Figure:
         left = 0.62 + (index % 2) * (side + gap)
         top = 0.35 + (index // 2) * (side + 1.25)
         axes = charts.place(figure, left, top, side, side)
-        axes.set_title(
-            _TITLES[number], fontsize=style.HEADING_SIZE, fontweight="bold", color=style.INK,
-            loc="left", pad=5,
-        )  # fmt: skip
+        style.add_title(axes, _TITLES[number], 5)
         scale = maps.draw(axes, quantity, number)
         maps.mark(axes)
         _label_map(axes, maps.half_m)
@@ -117,9 +114,8 @@ def _draw_bar(
     figure: Figure, scale: ScalarMappable, quantity: str, place: tuple[float, float, float]
 ) -> None:
     """Draw a colour bar; its place is left, bottom and width in inches."""
-    width, height = figure.get_size_inches()
     left, bottom, length = place
-    axes = figure.add_axes((left / width, bottom / height, length / width, 0.12 / height))
+    axes = new_axes(figure, (left, bottom, length, 0.12))
     bar = figure.colorbar(scale, cax=axes, orientation="horizontal")
     if QUANTITIES[quantity].logarithmic:
         low, high = scale.get_clim()
@@ -135,10 +131,7 @@ def _draw_rose(figure: Figure, selection: Selection) -> None:
     """Draw how well each azimuth is covered, north up and clockwise."""
     width, height = figure.get_size_inches()
     side = 2.2
-    axes = figure.add_axes(
-        ((_RIGHT + 0.2) / width, (height - 1.0 - side) / height, side / width, side / height),
-        projection="polar",
-    )
+    axes = new_axes(figure, (_RIGHT + 0.2, height - 1.0 - side, side, side), projection="polar")
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(-1)
     chosen = selection.telescopes

@@ -16,6 +16,7 @@ from ..telescope.planning import HALF
 from ..trajectories import TrajectoryMap
 from . import style, ticks
 from .colours import colour_scale, has_colour, pixel_colours
+from .frames import Box, new_axes
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -25,16 +26,6 @@ if TYPE_CHECKING:
 
 #: Points along each line of the net of azimuths and elevations.
 _NET_POINTS = 400
-
-#: Box in inches on the page: left, bottom, width and height.
-Box = tuple[float, float, float, float]
-
-
-def place(figure: Figure, box: Box) -> Axes:
-    """Return new axes in a box."""
-    width, height = figure.get_size_inches()
-    left, bottom, wide, high = box
-    return figure.add_axes((left / width, bottom / height, wide / width, high / height))
 
 
 def edges(one: TrajectoryMap) -> tuple[float, float, float, float]:
@@ -95,7 +86,7 @@ def label_angles(axes: Axes, across: int = 6, up: int = 6, names: bool = True) -
 
 def draw_colour_bar(figure: Figure, box: Box, one: TrajectoryMap, scale: ScalarMappable) -> None:
     """Draw a horizontal colour scale with round ticks, arrows where values lie beyond."""
-    axes = place(figure, box)
+    axes = new_axes(figure, box)
     low, high = scale.get_clim()
     finite = one.values[np.isfinite(one.values)]
     if one.kind.logarithmic:

@@ -10,7 +10,7 @@ from ..telescope.acceptance import Trajectories, trajectories
 from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
 from . import style, ticks
-from .telescope_axes import place
+from .frames import Box, new_axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -46,9 +46,6 @@ def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Fi
     MuyscError
         If matplotlib is missing.
     """
-    # What is missing is told by its name.
-    import matplotlib  # noqa: F401
-
     entries = {preset.title: preset.geometry for preset in PRESETS.values()}
     chosen = PRESETS[name].title if name in PRESETS else "this telescope"
     entries.setdefault(chosen, geometry)
@@ -61,19 +58,16 @@ def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Fi
     ]
     figure = style.new_figure(style.WIDTH_IN, _HEIGHT)
     style.add_heading(figure, title, lines)
-    _acceptances(place(figure, (0.75, 4.45, 4.1, 2.7)), collected, looks, chosen)
+    _acceptances(new_axes(figure, (0.75, 4.45, 4.1, 2.7)), collected, looks, chosen)
     _shapes(figure, (5.2, 4.0, 4.7, 3.15), entries, looks, chosen)
-    _resolutions(place(figure, (0.75, 0.6, 4.1, 2.9)), collected, looks, chosen)
-    _etendues(place(figure, (6.75, 0.6, 2.5, 2.9)), collected, looks, chosen)
+    _resolutions(new_axes(figure, (0.75, 0.6, 4.1, 2.9)), collected, looks, chosen)
+    _etendues(new_axes(figure, (6.75, 0.6, 2.5, 2.9)), collected, looks, chosen)
     return figure
 
 
 def _headed(axes: Axes, title: str) -> None:
-    axes.set_title(
-        title, fontsize=style.HEADING_SIZE, fontweight="bold", loc="left", color=style.INK
-    )
-    axes.grid(color="#e4e4e4", linewidth=0.5)
-    axes.set_axisbelow(True)
+    style.add_title(axes, title)
+    style.add_grid(axes)
     style.style_axes(axes)
 
 
@@ -105,13 +99,13 @@ def _acceptances(
 
 def _shapes(
     figure: Figure,
-    box: tuple[float, float, float, float],
+    box: Box,
     entries: dict[str, TelescopeGeometry],
     looks: dict[str, tuple],
     chosen: str,
 ) -> None:
     """Draw every telescope from the side, all at one scale."""
-    axes = place(figure, box)
+    axes = new_axes(figure, box)
     wide, tall = box[2] / _COLUMNS, box[3] / -(-len(entries) // _COLUMNS)
     inches = min(
         *((wide - 0.25) / one.separation_cm for one in entries.values()),
@@ -143,10 +137,7 @@ def _shapes(
     axes.set_xlim(-0.03, box[2])
     axes.set_ylim(-0.1, box[3])
     axes.axis("off")
-    axes.set_title(
-        "From the side, at one scale", fontsize=style.HEADING_SIZE, fontweight="bold", loc="left",
-        color=style.INK,
-    )  # fmt: skip
+    style.add_title(axes, "From the side, at one scale")
 
 
 def _resolutions(

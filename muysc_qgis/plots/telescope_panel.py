@@ -11,13 +11,13 @@ from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
 from ..trajectories import TrajectoryMap, maps_of
 from . import style, ticks
+from .frames import new_axes
 from .telescope_axes import (
     angle_ticks,
     draw_colour_bar,
     draw_map,
     edges,
     label_angles,
-    place,
 )
 from .telescope_drawing import draw_aperture, draw_telescope
 
@@ -55,9 +55,6 @@ def telescope_panel(collected: Trajectories, name: str) -> Figure:
     MuyscError
         If matplotlib is missing.
     """
-    # What is missing is told by its name.
-    import matplotlib  # noqa: F401
-
     geometry = collected.geometry
     title, lines = telescope_title(name), describe_geometry(collected)
     heading = style.heading_height_in(title, lines)
@@ -65,15 +62,15 @@ def telescope_panel(collected: Trajectories, name: str) -> Figure:
     figure = style.new_figure(style.WIDTH_IN, height)
     style.add_heading(figure, title, lines, _MARGIN - 0.4)
     top = height - heading - 0.1
-    axes = place(figure, (0.35, top - _TOP_ROW, 3.4, _TOP_ROW))
+    axes = new_axes(figure, (0.35, top - _TOP_ROW, 3.4, _TOP_ROW))
     draw_telescope(axes, geometry)
-    axes = place(figure, (3.75, top - _TOP_ROW + 0.15, 2.5, _TOP_ROW - 0.35))
+    axes = new_axes(figure, (3.75, top - _TOP_ROW + 0.15, 2.5, _TOP_ROW - 0.35))
     draw_aperture(axes, geometry)
     figure.text(
         5.0 / style.WIDTH_IN, (top - _TOP_ROW + 0.02) / height, "Aperture, from the side",
         ha="center", fontsize=style.TEXT_SIZE, color=style.MUTED,
     )  # fmt: skip
-    _draw_formulas(place(figure, (6.95, top - _TOP_ROW + 0.3, 2.8, _TOP_ROW - 0.55)), collected)
+    _draw_formulas(new_axes(figure, (6.95, top - _TOP_ROW + 0.3, 2.8, _TOP_ROW - 0.55)), collected)
     maps = maps_of(collected, name)
     bottom = 1.2
     room = (style.WIDTH_IN - _MARGIN) / len(_MAPS)
@@ -112,17 +109,15 @@ def _draw_quantity(
     wide = min(_MAP, _MAP * (x1 - x0) / (y1 - y0))
     x = left + (_MAP - wide) / 2
     y = bottom + _MAP - tall
-    axes = place(figure, (x, y, wide, tall))
+    axes = new_axes(figure, (x, y, wide, tall))
     scale, _ = draw_map(axes, one)
     label_angles(axes, 4, 4 if tall == _MAP else 2, names=False)
     axes.set_xlabel("Angle to the right (°)", fontsize=style.TEXT_SIZE, labelpad=2)
     if first:
         axes.set_ylabel("Angle upwards (°)", fontsize=style.TEXT_SIZE, labelpad=2)
-    section = place(figure, (x, bottom + _MAP + 0.12, wide, _SECTION))
+    section = new_axes(figure, (x, bottom + _MAP + 0.12, wide, _SECTION))
     _draw_section(section, one, x0, x1)
-    section.set_title(
-        one.kind.title, fontsize=style.HEADING_SIZE, fontweight="bold", loc="left", color=style.INK
-    )
+    style.add_title(section, one.kind.title)
     draw_colour_bar(figure, (x, y - 0.58, wide, 0.1), one, scale)
 
 
@@ -156,8 +151,7 @@ def _draw_section(axes: Axes, one: TrajectoryMap, left: float, right: float) -> 
     axes.set_yticks(positions, [ticks.number_label(float(tick)) for tick in positions])
     axes.set_xticks(angle_ticks(left, right, 4)[0], [])
     style.style_axes(axes)
-    axes.grid(color="#e4e4e4", linewidth=0.5)
-    axes.set_axisbelow(True)
+    style.add_grid(axes)
 
 
 def _draw_formulas(axes: Axes, collected: Trajectories) -> None:
@@ -173,12 +167,10 @@ def _draw_formulas(axes: Axes, collected: Trajectories) -> None:
         )  # fmt: skip
     axes.set_ylim(0, None)
     axes.set_xlabel("Angle from the boresight (°)", fontsize=style.TEXT_SIZE, labelpad=2)
-    axes.set_title("Acceptance of a trajectory (cm² sr)", fontsize=style.HEADING_SIZE,
-                   fontweight="bold", loc="left", color=style.INK)  # fmt: skip
+    style.add_title(axes, "Acceptance of a trajectory (cm² sr)")
     limit = max(geometry.half_aperture_deg[0], 1e-3)
     across = ticks.angle_ticks(-limit, limit, 6)
     axes.set_xticks(across, [ticks.number_label(float(tick)) for tick in across])
-    axes.grid(color="#e4e4e4", linewidth=0.5)
-    axes.set_axisbelow(True)
+    style.add_grid(axes)
     style.style_axes(axes)
     axes.legend(frameon=False, fontsize=style.TICK_SIZE, loc="upper right", handlelength=1.6)

@@ -11,6 +11,7 @@ import numpy as np
 from ..telescope.planning import HALF
 from ..trajectories import TrajectoryMap
 from . import style
+from .frames import new_axes
 from .telescope_axes import (
     draw_colour_bar,
     draw_map,
@@ -19,7 +20,6 @@ from .telescope_axes import (
     draw_target,
     edges,
     label_angles,
-    place,
 )
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def trajectory_page(
         row, column = divmod(number, 2)
         x = column * style.WIDTH_IN / 2 + _LEFT + (room - wide) / 2
         y = height - heading - row * (tall + _ABOVE + _BELOW) - _ABOVE - tall
-        axes = place(figure, (x, y, wide, tall))
+        axes = new_axes(figure, (x, y, wide, tall))
         scale, entries = draw_map(axes, one, sky)
         legend.update(entries)
         draw_net(axes, pointing)
@@ -89,10 +89,7 @@ def trajectory_page(
         if target is not None:
             legend["Target"] = target
         label_angles(axes, 7, 7)
-        axes.set_title(
-            name, fontsize=style.HEADING_SIZE, fontweight="bold", loc="left", color=style.INK,
-            pad=16,
-        )  # fmt: skip
+        style.add_title(axes, name, 16)
         draw_colour_bar(figure, (x, y - 0.55, wide, 0.12), one, scale)
     order = [key for key in _LEGEND if key in legend]
     if order:

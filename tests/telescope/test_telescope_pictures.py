@@ -15,8 +15,9 @@ from muysc_qgis.workflows.expected_counts import expected_counts
 
 pytest.importorskip("matplotlib")
 
+from muysc_qgis.plots.frames import new_axes
 from muysc_qgis.plots.style import png_bytes
-from muysc_qgis.plots.telescope_axes import draw_map, draw_net, label_angles, place
+from muysc_qgis.plots.telescope_axes import draw_map, draw_net, label_angles
 from muysc_qgis.plots.telescope_comparison import comparison_panel
 from muysc_qgis.plots.telescope_counts import counts_panel
 from muysc_qgis.plots.telescope_panel import telescope_panel
@@ -44,7 +45,7 @@ def axes_of(values):
 
     rows, columns = values.shape
     x, y = 0.1 * (np.arange(columns) - columns // 2), 0.1 * (rows // 2 - np.arange(rows))
-    axes = place(new_figure(4, 4), (0.5, 0.5, 3, 3))
+    axes = new_axes(new_figure(4, 4), (0.5, 0.5, 3, 3))
     scale, legend = draw_map(axes, TrajectoryMap("acceptance", values, x, y, {}))
     return axes, scale, legend
 

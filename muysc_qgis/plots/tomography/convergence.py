@@ -43,9 +43,7 @@ def convergence_figure(tomography: Tomography, discrepancy: float = 1.0) -> Figu
     figure = style.new_figure(style.WIDTH_IN, _HEAD + _CHART + _FOOT)
     known = bool(np.isfinite([one.chi_squared for one in tomography.residuals]).any())
     told = "over their errors" if known else "over the data's own, as errors are not known"
-    style.add_heading(
-        figure, TITLE, [f"Root mean square of what is left of the data, {told}."], 0.22
-    )
+    style.add_heading(figure, TITLE, [f"Root mean square of what is left of the data, {told}."])
     left = charts.LEFT_IN
     _draw_curve(
         charts.place(figure, left, _HEAD, _CURVE, _CHART), tomography,
@@ -94,7 +92,7 @@ def _draw_curve(axes: Axes, tomography: Tomography, level: float) -> None:
         )  # fmt: skip
     axes.legend(loc="best", fontsize=style.TICK_SIZE, framealpha=0.9, edgecolor="none")
     charts.label(axes, "Iterations", "Misfit")
-    _headed(axes, "Where the reconstruction ended")
+    style.add_title(axes, "Where the reconstruction ended")
 
 
 def _draw_stations(axes: Axes, tomography: Tomography, known: bool) -> None:
@@ -116,10 +114,4 @@ def _draw_stations(axes: Axes, tomography: Tomography, known: bool) -> None:
     axes.set_xticks(places[::every], [style.plain(name) for name in names[::every]], rotation=90)
     axes.grid(axis="x", visible=False)
     charts.label(axes, y="Residual / error" if known else "Residual / data (%)")
-    _headed(axes, f"What is left of each of {len(values)} stations")
-
-
-def _headed(axes: Axes, title: str) -> None:
-    axes.set_title(
-        title, fontsize=style.HEADING_SIZE, fontweight="bold", loc="left", color=style.INK
-    )
+    style.add_title(axes, f"What is left of each of {len(values)} stations")

@@ -25,7 +25,6 @@ from .pictures import (
     BELOW,
     HEADING,
     LEFT,
-    MARGIN,
     VIEWS,
     Picture,
     draw_picture,
@@ -76,7 +75,7 @@ def known_model_panel(tomography: Tomography, truth: Volume) -> Figure:
     head = style.heading_height_in(TITLE, lines) + 0.05
     page_in = head + sum(row.height for row in rows) + 0.1
     figure = style.new_figure(style.WIDTH_IN, page_in)
-    style.add_heading(figure, TITLE, lines, MARGIN)
+    style.add_heading(figure, TITLE, lines)
     axes = page_axes(figure)
     top = page_in - head
     for row in rows:

@@ -171,7 +171,7 @@ def _draw_errors(axes: Axes, comparison: Comparison) -> None:
     _log_axis(axes, "x", [one.seconds for one in results])
     _log_axis(axes, "y", [*errors, comparison.grey_error])
     charts.label(axes, "Time without that of the ray paths (s)", "Relative error ε")
-    _headed(axes, "Error against time")
+    style.add_title(axes, "Error against time")
 
 
 def _draw_misfits(axes: Axes, comparison: Comparison) -> None:
@@ -196,7 +196,7 @@ def _draw_misfits(axes: Axes, comparison: Comparison) -> None:
     charts.log_axis(axes, "x", 1.0, 1.25 * max(most, 2))
     _log_axis(axes, "y", misfits[misfits > 0])
     charts.label(axes, "Iterations", "RMS residual / RMS projection")
-    _headed(axes, "Misfit of the projections")
+    style.add_title(axes, "Misfit of the projections")
 
 
 def _log_axis(axes: Axes, which: str, values: list[float] | np.ndarray) -> None:
@@ -211,12 +211,6 @@ def _log_axis(axes: Axes, which: str, values: list[float] | np.ndarray) -> None:
         positions, [ticks.number_label(float(position)) for position in positions]
     )
     getattr(axes, f"{which}axis").set_minor_locator(NullLocator())
-
-
-def _headed(axes: Axes, title: str) -> None:
-    axes.set_title(
-        title, fontsize=style.HEADING_SIZE, fontweight="bold", loc="left", color=style.INK
-    )
 
 
 def _draw_legend(figure: Figure, top_in: float, comparison: Comparison) -> None:

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
 
-#: Margin of the page, and the room that a picture takes for the scale at its left (inches).
-MARGIN, LEFT = 0.22, 0.86
+#: Room that a picture takes for the scale at its left (inches).
+LEFT = 0.86
 #: Room above a picture for its title, with and without a remark; below it for its scale, and
 #: below that for a colour bar (inches).
 ABOVE, ABOVE_PLAIN, BELOW, BAR = 0.42, 0.28, 0.48, 0.62
@@ -101,8 +101,8 @@ def middle_place(tomography: Tomography) -> Place:
 def write_heading(axes: Axes, top: float, text: str) -> None:
     """Write a heading over several pictures, `HEADING` high, below a height on the page."""
     axes.text(
-        MARGIN, top - 0.22, style.plain(text), fontsize=style.HEADING_SIZE + 1, fontweight="bold",
-        color=style.INK, va="baseline",
+        style.MARGIN_IN, top - 0.22, style.plain(text), fontsize=style.HEADING_SIZE + 1,
+        fontweight="bold", color=style.INK, va="baseline",
     )  # fmt: skip
 
 

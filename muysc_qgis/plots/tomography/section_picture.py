@@ -16,7 +16,7 @@ from ..scales import draw_colour_bar
 from . import volume_scales
 from .cut_axes import GROUND_LINE, UNSEEN, draw_cut, draw_ground, fitted
 from .cuts import Cut, along_line, heights_along, resampled
-from .pictures import BAR_HEIGHT, BELOW, LEFT, MARGIN
+from .pictures import BAR_HEIGHT, BELOW, LEFT
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -63,7 +63,7 @@ def section_figure(
     head = style.heading_height_in(TITLE, lines) + 0.15
     page_in = head + high * stretch + BELOW + _FOOT
     figure = style.new_figure(style.WIDTH_IN, page_in)
-    style.add_heading(figure, TITLE, lines, MARGIN)
+    style.add_heading(figure, TITLE, lines)
     axes = page_axes(figure)
     corner = (LEFT, page_in - head - high * stretch)
     frame = draw_cut(axes, corner, (wide, high * stretch), cut, scale, rock)

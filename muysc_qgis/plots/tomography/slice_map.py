@@ -9,7 +9,7 @@ import numpy as np
 from ...topography.relief import Relief
 from ...workflows.tomography_result import Place, Tomography
 from .. import scales, style, ticks
-from ..frames import whole
+from ..frames import Box, new_axes, whole
 from ..map_marks import draw_north, draw_scale_bar
 from ..overview_map import shaded
 from .cut_axes import TARGET_MARK, cell_colours
@@ -61,7 +61,7 @@ def map_bounds(tomography: Tomography) -> Bounds:
 
 def draw_slice_map(
     figure: Figure,
-    box: Bounds,
+    box: Box,
     tomography: Tomography,
     place: Place,
     scale: ScalarMappable,
@@ -82,8 +82,7 @@ def draw_slice_map(
     relief
         Terrain in the CRS of the volume, if it is known.
     """
-    width, height = figure.get_size_inches()
-    axes = figure.add_axes((box[0] / width, box[1] / height, box[2] / width, box[3] / height))
+    axes = new_axes(figure, box)
     west, east, south, north = (value / 1e3 for value in map_bounds(tomography))
     # What is drawn must not change the limits.
     axes.set(xlim=(west, east), ylim=(south, north), autoscale_on=False)

@@ -26,7 +26,6 @@ from .pictures import (
     BELOW,
     HEADING,
     LEFT,
-    MARGIN,
     Picture,
     draw_below_each_other,
     draw_picture,
@@ -107,7 +106,7 @@ def tomography_panel(tomography: Tomography, relief: Relief | None = None) -> Fi
     blocks = _blocks(tomography, place, densities)
     page_in = head + ABOVE_PLAIN + first + legend_in + sum(one.height for one in blocks) + 0.05
     figure = style.new_figure(style.WIDTH_IN, page_in)
-    style.add_heading(figure, TITLE, lines, MARGIN)
+    style.add_heading(figure, TITLE, lines)
     axes = page_axes(figure)
     top = page_in - head - ABOVE_PLAIN
     box = (LEFT, top - map_in[1], *map_in)
