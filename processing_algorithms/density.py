@@ -132,7 +132,9 @@ class Density(MuyscAlgorithm):
             ),
             *physics_parameters(density=False),
             *raster_outputs(_OUTPUTS, always=("DENSITY", "DENSITY_ERROR")),
-            *document_outputs("density and its error"),
+            *document_outputs(
+                "Picture of density and its error side by side, with contours, skyline and target."
+            ),
         ]  # fmt: skip
 
     def declare_outputs(self) -> None:

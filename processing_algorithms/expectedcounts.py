@@ -75,11 +75,6 @@ class ExpectedCounts(MuyscAlgorithm):
     TAGS = ("counts", "exposure", "feasibility", "contrast", "resolution", "rate", "acceptance")
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
-        panel, report = document_outputs()
-        panel.setHelp(
-            "Picture of the counts on the mountain with skyline, horizon and target, beside the "
-            "counting error, the contrast that can be seen and the days that it takes."
-        )
         return [
             *dem_parameters(),
             *sight_parameters(),
@@ -90,8 +85,10 @@ class ExpectedCounts(MuyscAlgorithm):
             *(one for one in aperture_parameters() if one.name() in _RANGE),
             *raster_outputs(_OUTPUTS, ("COUNTS",), AXES),
             table_output(),
-            panel,
-            report,
+            *document_outputs(
+                "Picture of the counts on the mountain with skyline, horizon and target, beside "
+                "the counting error, the contrast that can be seen and the days that it takes."
+            ),
         ]
 
     def declare_outputs(self) -> None:

@@ -121,7 +121,10 @@ class FluxSpectrum(MuyscAlgorithm):
                 )
                 for name, (_, label, text) in _TABLES.items()
             ),
-            *_documents(),
+            *document_outputs(
+                "Picture of spectra, energy losses, minimum energies, transmission and flux.",
+                "One HTML file with figures, parameters, numbers, every warning and how to cite.",
+            ),
         ]  # fmt: skip
 
     def declare_outputs(self) -> None:
@@ -194,13 +197,3 @@ class FluxSpectrum(MuyscAlgorithm):
         from ..muysc_qgis.plots.spectra import documents
 
         return documents
-
-
-def _documents() -> list[QgsProcessingParameterDefinition]:
-    """Declare panel and report, with what they show here."""
-    panel, report = document_outputs()
-    panel.setHelp("Picture of spectra, energy losses, minimum energies, transmission and flux.")
-    report.setHelp(
-        "One HTML file with figures, parameters, numbers, every warning and how to cite."
-    )
-    return [panel, report]

@@ -103,7 +103,11 @@ class ReconstructionBenchmark(MuyscAlgorithm):
                 "TABLE", "Table of methods",
                 "CSV: iterations, seconds, errors and misfit of every method.",
             ),
-            *_documents(),
+            *document_outputs(
+                "Picture of the head and every reconstruction, of error against time and of misfit "
+                "against iterations.",
+                "One HTML file with the panel, parameters, numbers and how to cite.",
+            ),
         ]  # fmt: skip
 
     def declare_outputs(self) -> None:
@@ -174,17 +178,6 @@ class ReconstructionBenchmark(MuyscAlgorithm):
             "GREY_ERROR": comparison.grey_error,
             "MATRIX_SECONDS": comparison.matrix_seconds,
         }
-
-
-def _documents() -> list[QgsProcessingParameterDefinition]:
-    """Declare panel and report, with what they show here."""
-    panel, report = document_outputs()
-    panel.setHelp(
-        "Picture of the head and every reconstruction, of error against time and of misfit against "
-        "iterations."
-    )
-    report.setHelp("One HTML file with the panel, parameters, numbers and how to cite.")
-    return [panel, report]
 
 
 def _drawing() -> ModuleType:

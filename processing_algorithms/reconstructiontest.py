@@ -102,7 +102,12 @@ class ReconstructionTest(MuyscAlgorithm):
             *reconstruction_parameters(),
             *volume_outputs(),
             *known_model_outputs(),
-            *_documents(),
+            *document_outputs(
+                "Picture of the known model, of what is found and of the error, summed from the "
+                "top, the front and the side, and in slices through the target.",
+                "One HTML file with the panel, what is found of each body, the misfit by "
+                "iteration and station, parameters, numbers, every warning and how to cite.",
+            ),
         ]
 
     def declare_outputs(self) -> None:
@@ -184,20 +189,6 @@ class ReconstructionTest(MuyscAlgorithm):
         crs = inputs.layer.crs()
         results |= write_stations(self, inputs.stations, found, crs, *files, staging)
         return results | values
-
-
-def _documents() -> list[QgsProcessingParameterDefinition]:
-    """Declare panel and report of the comparison."""
-    panel, report = document_outputs()
-    panel.setHelp(
-        "Picture of the known model, of what is found and of the error, summed from the top, the "
-        "front and the side, and in slices through the target."
-    )
-    report.setHelp(
-        "One HTML file with the panel, what is found of each body, the misfit by iteration and "
-        "station, parameters, numbers, every warning and how to cite."
-    )
-    return [panel, report]
 
 
 def _say(feedback: QgsProcessingFeedback, inputs: _Inputs, found: KnownModelResult) -> None:

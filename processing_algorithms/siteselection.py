@@ -77,11 +77,6 @@ class SiteSelection(MuyscAlgorithm):
         self._finished: Path | None = None
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
-        panel, report = document_outputs()
-        panel.setHelp(
-            "Picture of the score on the map with the sites chosen, the azimuths around the target "
-            "that the telescopes cover, and exposure times against the share seen."
-        )
         aperture = aperture_parameters()
         for one in aperture:
             if one.name().endswith("PIXELS"):
@@ -100,8 +95,10 @@ class SiteSelection(MuyscAlgorithm):
             scheduler_parameter(),
             *map_outputs(),
             *site_outputs(),
-            panel,
-            report,
+            *document_outputs(
+                "Picture of the score on the map with the sites chosen, the azimuths around the "
+                "target that the telescopes cover, and exposure times against the share seen."
+            ),
         ]
 
     def declare_outputs(self) -> None:

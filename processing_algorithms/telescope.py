@@ -53,12 +53,11 @@ class Telescope(MuyscAlgorithm):
     TAGS = ("acceptance", "solid angle", "detector", "hodoscope", "geometric factor", "aperture")
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
-        panel, report = document_outputs()
-        panel.setHelp(
+        panel, report = document_outputs(
             "Picture of the telescope and its aperture, with acceptance, solid angle, detection "
-            "area and path length as maps and sections."
+            "area and path length as maps and sections.",
+            "One HTML file with figures, parameters, numbers and how to cite.",
         )
-        report.setHelp("One HTML file with figures, parameters, numbers and how to cite.")
         return [
             *geometry_parameters(),
             *raster_outputs(_OUTPUTS, ("ACCEPTANCE",), AXES),

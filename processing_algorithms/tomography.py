@@ -75,7 +75,12 @@ class TomographyAlgorithm(MuyscAlgorithm):
             section_line(),
             *volume_outputs(),
             section_output(),
-            *_documents(),
+            *document_outputs(
+                "Picture of slices and sections through the target, views from the top, the front "
+                "and the side, and the rays per voxel, with a map of the stations.",
+                "One HTML file with the panel, the misfit by iteration and station, parameters, "
+                "numbers, every warning and how to cite.",
+            ),
         ]  # fmt: skip
 
     def declare_outputs(self) -> None:
@@ -160,20 +165,6 @@ class TomographyAlgorithm(MuyscAlgorithm):
         results |= stage_drawn(self, panel, report, results, *files, feedback, *staged)
         results |= write_voxels(self, result, *files, staging)
         return results | _numbers(result)
-
-
-def _documents() -> list[QgsProcessingParameterDefinition]:
-    """Declare panel and report of a volume."""
-    panel, report = document_outputs()
-    panel.setHelp(
-        "Picture of slices and sections through the target, views from the top, the front and the "
-        "side, and the rays per voxel, with a map of the stations."
-    )
-    report.setHelp(
-        "One HTML file with the panel, the misfit by iteration and station, parameters, numbers, "
-        "every warning and how to cite."
-    )
-    return [panel, report]
 
 
 def _say(feedback: QgsProcessingFeedback, result: Tomography, warnings: tuple[str, ...]) -> None:

@@ -35,20 +35,24 @@ if TYPE_CHECKING:
 _SUFFIXES = {"PANEL": ".png", "REPORT": ".html"}
 
 
-def document_outputs(shown: str = "thickness and flux") -> list[QgsProcessingParameterDefinition]:
-    """Declare panel and report, given what the panel shows."""
+def document_outputs(
+    panel: str = "Picture of thickness and flux side by side, with contours, skyline and target.",
+    report: str = "One HTML file with panels, map, parameters, numbers, every warning and how to "
+    "cite.",
+) -> list[QgsProcessingParameterDefinition]:
+    """Declare panel and report, given the help of each."""
     return [
         explained(
             QgsProcessingParameterFileDestination(
                 "PANEL", "Panel", "PNG pictures (*.png)", None, True, False
             ),
-            f"Picture of {shown} side by side, with contours, skyline and target.",
+            panel,
         ),
         explained(
             QgsProcessingParameterFileDestination(
                 "REPORT", "Report", "HTML files (*.html)", None, True, True
             ),
-            "One HTML file with panels, map, parameters, numbers, every warning and how to cite.",
+            report,
         ),
     ]
 

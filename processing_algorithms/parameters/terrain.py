@@ -99,9 +99,24 @@ def opened_layer(
     context: QgsProcessingContext,
 ) -> QgsRasterLayer | None:
     """Return a raster layer, None where QGIS cannot open it."""
+    if is_endless(parameters.get(name)):
+        return None
     try:
         layer = algorithm.parameterAsRasterLayer(parameters, name, context)
     except Exception:
         # So a damaged file shows that fails deep inside QGIS.
         return None
     return layer if layer is not None and layer.isValid() else None
+
+
+def is_endless(value: Any) -> bool:
+    """Return whether a value names a raster that QGIS would open for ever.
+
+    It lets GDAL turn rotated rasters to the north, which does not end with coordinates like 1e200.
+    """
+    if not isinstance(value, str):
+        return False
+    try:
+        return not reach_of(gdal.Open(value)) <= FARTHEST
+    except RuntimeError:
+        return False
