@@ -13,7 +13,16 @@ from .errors import MuyscError
 def write_table(
     path: str | Path, columns: Sequence[str], lines: Iterable[Sequence[object]]
 ) -> None:
-    """Write a table as comma-separated values; what is unknown stays empty.
+    """Write a table as comma-separated values; what is unknown (NaN) stays empty.
+
+    Parameters
+    ----------
+    path
+        The file.
+    columns
+        Names, with units.
+    lines
+        One cell for each column; numbers are written with nine digits.
 
     Raises
     ------

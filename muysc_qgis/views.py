@@ -38,12 +38,22 @@ def elevation_of(view: View) -> np.ndarray:
 def like(
     view: View, quantity: str, values: np.ndarray, metadata: Mapping[str, str | float]
 ) -> View:
-    """Return another quantity on the directions of a view."""
+    """Return another quantity on the directions of a view.
+
+    Parameters
+    ----------
+    view
+        Has the directions.
+    quantity, values
+        Key of `QUANTITIES`, and values of the view's shape in its unit.
+    metadata
+        All of them; those of the view do not stay.
+    """
     return replace(view, quantity=quantity, values=values, metadata=metadata)
 
 
 def require_quantity(view: View, quantities: tuple[str, ...], name: str) -> None:
-    """Refuse a view of another quantity.
+    """Refuse a view of another quantity than those given; `name` begins the sentence.
 
     Raises
     ------
@@ -58,7 +68,7 @@ def require_quantity(view: View, quantities: tuple[str, ...], name: str) -> None
 
 
 def require_same_directions(one: View, name: str, other: View, other_name: str) -> None:
-    """Refuse two views that are not on the same directions.
+    """Refuse two views that are not on the same directions; the names are for the sentence.
 
     Raises
     ------
@@ -81,6 +91,8 @@ def require_same_directions(one: View, name: str, other: View, other_name: str) 
 
 def require_same_pixels(one: View, name: str, other: View, other_name: str) -> None:
     """Refuse two views that are not of the same telescope pixels, wherever these point.
+
+    The names, in the plural, are for the sentence.
 
     Raises
     ------

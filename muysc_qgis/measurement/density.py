@@ -196,6 +196,13 @@ def model_densities(
     ----------
     seen, scene, minimum_counts, progress
         As in `measure_density`.
+
+    Raises
+    ------
+    MuyscError
+        As there.
+    Cancelled
+        If `progress` asks for a stop.
     """
     cosine = np.sin(np.radians(scene.elevation_deg))
 

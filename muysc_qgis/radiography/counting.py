@@ -79,7 +79,13 @@ def feasibility_days(
 
 
 def check_positive(value: float | np.ndarray, name: str) -> None:
-    """Refuse what is not above 0 and finite; NaN among several values is unknown, not wrong."""
+    """Refuse what is not above 0 and finite; NaN among several values is unknown, not wrong.
+
+    Raises
+    ------
+    MuyscError
+        With the name and the first value that is not.
+    """
     values = np.asarray(value, dtype=float)
     bad = values[~((values > 0) & (values < np.inf)) & ~(np.isnan(values) & (values.ndim > 0))]
     if bad.size:

@@ -54,6 +54,8 @@ def model_envelope(
     ------
     MuyscError
         As `attenuate`.
+    Cancelled
+        If `progress` asks for a stop.
     """
     opacity = np.asarray(opacity_g_cm2, dtype=float)
     cosine = np.sin(np.radians(np.asarray(elevation_deg, dtype=float)))
@@ -79,10 +81,15 @@ def envelope_over_models(
     physics
         Physics whose flux model is replaced by one after the other.
     evaluate
-        Returns values for the physics given, and where they are to count; told the share
-        done of its own work.
+        Returns values for the physics given, and where they are to count; it tells the
+        share done of its own work.
     progress
         Told the share done.
+
+    Raises
+    ------
+    Cancelled
+        If `progress` asks for a stop.
     """
     minimum = maximum = np.array(np.nan)
     rays = {}

@@ -45,7 +45,7 @@ class Pieces:
 
 @dataclass(frozen=True)
 class Lines:
-    """A grid along one axis: bounds at low + step · (0 … count)."""
+    """A grid along one axis: bounds at low + step · (0 … count), in m."""
 
     low_m: float
     step_m: float
@@ -69,7 +69,13 @@ def _planes(
 def count_pieces(
     origin: np.ndarray, direction: np.ndarray, stretches: Stretches, axes: Sequence[Lines]
 ) -> np.ndarray:
-    """Return the most pieces that each stretch can be cut into; O(stretches)."""
+    """Return the most pieces that each stretch can be cut into, (n,); O(stretches).
+
+    Parameters
+    ----------
+    origin, direction, stretches, axes
+        As in `cut`.
+    """
     total = np.ones(len(stretches), np.int64)
     for axis, lines in enumerate(axes):
         total += _planes(

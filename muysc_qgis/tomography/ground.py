@@ -21,11 +21,11 @@ class HeightField:
     Parameters
     ----------
     origin_m
-        East and north of node [0, 0].
+        East and north of node [0, 0], in the frame of the voxels.
     step_m
         Distance of the nodes, east and north.
     height_m
-        (n_east, n_north) at least 2 × 2, in the frame of the voxels.
+        (n_east, n_north) at least 2 × 2, in the same frame.
 
     Raises
     ------
@@ -78,7 +78,7 @@ class HeightField:
             )
 
     def at(self, east_m: np.ndarray, north_m: np.ndarray) -> np.ndarray:
-        """Return the ground's height at points, which broadcast; beyond the rim the rim's."""
+        """Return the ground's height (m) at points, which broadcast; beyond the rim the rim's."""
         position = []
         for points, low, step, count in zip(
             (east_m, north_m), self.origin_m, self.step_m, self.height_m.shape

@@ -109,6 +109,11 @@ def check_setting(
 ) -> None:
     """Refuse what cannot be compared, before anything is computed.
 
+    Parameters
+    ----------
+    size, angles, methods, noise_percent
+        As in `compare_methods`.
+
     Raises
     ------
     MuyscError

@@ -176,6 +176,8 @@ def projector_of(paths: Paths, limit: int = MEMORY_LIMIT, progress: Progress = s
 
     Raises
     ------
+    MuyscError
+        If scipy is missing.
     Cancelled
         If the receiver of the progress asks for a stop.
     """

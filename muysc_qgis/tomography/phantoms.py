@@ -107,12 +107,22 @@ def share_inside(grid: VoxelGrid, body: Body) -> np.ndarray:
 
 
 def with_body(background: np.ndarray | float, share: np.ndarray, density: float) -> np.ndarray:
-    """Return a background with a body of another density in it, by its share of each voxel."""
+    """Return a background with a body of another density in it, by its share of each voxel.
+
+    Parameters
+    ----------
+    background
+        Density around the body, one for all or one for each voxel.
+    share
+        Share of the body in each voxel, 0 to 1, any shape.
+    density
+        Of the body, in the background's unit.
+    """
     return background * (1 - share) + density * share
 
 
 def sphere(centre_m: Sequence[float], radius_m: float) -> Body:
-    """Return a sphere.
+    """Return a sphere around (east, north, up), all in m.
 
     Raises
     ------
@@ -125,7 +135,7 @@ def sphere(centre_m: Sequence[float], radius_m: float) -> Body:
 
 
 def conduit(centre_m: Sequence[float], radius_m: float, base_m: float, top_m: float) -> Body:
-    """Return an upright cylinder around (east, north) between two heights.
+    """Return an upright cylinder around (east, north) between two heights, all in m.
 
     Raises
     ------
@@ -172,7 +182,9 @@ def prism(rings_m: Sequence[np.ndarray], base_m: float, top_m: float) -> Body:
 
 
 def checkerboard(origin_m: Sequence[float], edge_m: float) -> Body:
-    """Return every other cube of a space filled with them, the one at `origin_m` not.
+    """Return every other cube of a space filled with them, all in m.
+
+    The one whose lowest corner is `origin_m` (east, north, up) is left out.
 
     Raises
     ------

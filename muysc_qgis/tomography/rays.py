@@ -17,6 +17,11 @@ class Rays:
     Muons fly straight. In a frame whose heights are above sea level the Earth falls away below a
     ray by d²/2R, 0.08 m at 1 km and 2 m at 5 km: a caller to whom that matters raises the
     direction of each ray so that it meets the volume where it should.
+
+    Raises
+    ------
+    MuyscError
+        If the shapes do not fit, an origin is not finite or a direction is no unit vector.
     """
 
     #: (n, 3) east, north and up of the start, m.

@@ -59,6 +59,15 @@ def rock_along(
     Exact for the bilinear ground: within one of its cells the ground below a straight line is a
     quadratic in the distance, whose roots are where the ray enters and leaves the rock.
 
+    Parameters
+    ----------
+    grid, rays
+        The volume, and detectors within or outside it.
+    ground
+        The terrain over the whole volume.
+    progress
+        Told the share done.
+
     Returns
     -------
     Stretches

@@ -67,6 +67,13 @@ class VoxelGrid:
     ) -> VoxelGrid:
         """Return the smallest grid of whole voxels that starts at `low_m` and covers `high_m`.
 
+        Parameters
+        ----------
+        low_m, high_m
+            East, north and up of two opposite corners.
+        size_m
+            Edge of a voxel, one for all or east, north and up.
+
         Raises
         ------
         MuyscError
@@ -99,7 +106,7 @@ class VoxelGrid:
 
     @property
     def volume_m3(self) -> float:
-        """Volume of one voxel."""
+        """Volume of one voxel, m³."""
         return math.prod(self.size_m)
 
     def resized(self, size_m: Sequence[float]) -> VoxelGrid:
@@ -107,11 +114,11 @@ class VoxelGrid:
         return self.covering(self.origin_m, self.end_m, size_m)
 
     def edges_m(self, axis: int) -> np.ndarray:
-        """Return the (n + 1,) bounds of the voxels along an axis."""
+        """Return the (n + 1,) bounds of the voxels along an axis: 0 east, 1 north, 2 up."""
         return self.origin_m[axis] + self.size_m[axis] * np.arange(self.shape[axis] + 1)
 
     def centres_m(self, axis: int) -> np.ndarray:
-        """Return the (n,) centres of the voxels along an axis."""
+        """Return the (n,) centres of the voxels along an axis: 0 east, 1 north, 2 up."""
         return self.origin_m[axis] + self.size_m[axis] * (np.arange(self.shape[axis]) + 0.5)
 
     def all_centres_m(self) -> np.ndarray:

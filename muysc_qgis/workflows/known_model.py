@@ -82,7 +82,7 @@ class KnownModel:
         Raises
         ------
         MuyscError
-            If a length is not above 0.
+            If a length is not above 0 or a polygon's density is that of no matter.
         """
         if self.kind == "uniform":
             return ()
@@ -131,6 +131,20 @@ def density_in(
     """Return the density of each voxel of rock, and the share of it that is in each body.
 
     A later body replaces an earlier one.
+
+    Parameters
+    ----------
+    grid
+        The voxels, in the true metres that the bodies are placed in.
+    bodies
+        What is in the rock.
+    rock_density
+        Of the rock around, g/cm³.
+
+    Returns
+    -------
+    tuple
+        (east, north, up) density in g/cm³, and for each body its share of each voxel, 0 to 1.
     """
     density = np.full(grid.shape, float(rock_density))
     shares: list[np.ndarray] = []

@@ -44,6 +44,7 @@ class SurveyData:
 
     stations: tuple[StationData, ...]
     rock: tuple[RockSeen, ...]
+    #: What the muograms hold, one of `DATA_QUANTITIES`.
     quantity: str
     #: One sentence each.
     warnings: tuple[str, ...]

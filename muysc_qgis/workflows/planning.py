@@ -43,11 +43,11 @@ def counts_in(days: float, simulation: Simulation, telescope: Telescope) -> Muog
 class SiteFigures:
     """What a place for a detector is compared by."""
 
-    #: Horizontal distance of the target.
+    #: Horizontal distance of the target, m.
     target_distance_m: float
-    #: Largest known thickness in the field of view, NaN where none is known.
+    #: Largest known thickness in the field of view (m), NaN where none is known.
     maximum_thickness_m: float
-    #: Rock on the ray to the target, NaN where unknown.
+    #: Rock on the ray to the target (m), NaN where unknown.
     target_thickness_m: float
     #: Days until the pixel towards the target has its muons, NaN where unknown.
     target_days: float
@@ -64,6 +64,15 @@ def figures_of_site(
     progress: Progress = silent,
 ) -> SiteFigures:
     """Return what a place for a detector is compared by.
+
+    Parameters
+    ----------
+    sight
+        Detector and target on the DEM.
+    aperture, physics, telescope
+        As in `simulate`.
+    progress
+        Told the share done.
 
     Raises
     ------

@@ -140,7 +140,22 @@ def find_known_model(
     choices: TomographyChoices,
     progress: Progress = silent,
 ) -> KnownModelResult:
-    """Return what stations whose rays are laid find of a known model; see above."""
+    """Return what stations whose rays are laid find of a known model.
+
+    Parameters
+    ----------
+    lines
+        The stations' rays through the volume (`survey`).
+    stations, aperture, dem, model, physics, campaign, choices, progress
+        As in `reconstruct_known_model`.
+
+    Raises
+    ------
+    MuyscError
+        As there.
+    Cancelled
+        If the receiver of the progress asks for a stop.
+    """
     metric = lines.paths.grid
     bodies = model.bodies(lines.frame, metric)
     density, shares = density_in(metric, bodies, model.density)

@@ -339,6 +339,13 @@ def outlines(
     """Return the sector of the field of view, and the ground seen in it.
 
     The sector reaches a little beyond the target and the farthest rock face.
+
+    Parameters
+    ----------
+    simulation
+        What was seen, with the distance of the first rock.
+    sight, aperture
+        From where, and in which field of view.
     """
     distance = simulation.muograms["distance"]
     level = distance.values * np.cos(np.radians(distance.elevation_deg))[:, None]

@@ -79,6 +79,15 @@ class RockSeen:
 def rock_seen(station: StationData, dem: Dem, progress: Progress = silent) -> RockSeen:
     """Trace the rays of a station through the terrain.
 
+    Parameters
+    ----------
+    station
+        Detector and directions.
+    dem
+        Terrain.
+    progress
+        Told the share done.
+
     Raises
     ------
     MuyscError
@@ -107,7 +116,15 @@ def rock_seen(station: StationData, dem: Dem, progress: Progress = silent) -> Ro
 def rock_of_all(
     stations: Sequence[StationData], dem: Dem, progress: Progress = silent
 ) -> list[RockSeen]:
-    """Trace the rays of several stations; see `rock_seen`."""
+    """Trace the rays of several stations; see `rock_seen`.
+
+    Raises
+    ------
+    MuyscError
+        If a station is off the DEM.
+    Cancelled
+        If the receiver of the progress asks for a stop.
+    """
     ends = np.linspace(0.0, 1.0, len(stations) + 1)
     return [
         rock_seen(station, dem, part(progress, start, end))

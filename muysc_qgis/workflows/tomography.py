@@ -197,6 +197,15 @@ def reconstruct_volume(
 ) -> Tomography:
     """Return the densities that explain the opacities of stations whose rays are laid.
 
+    Parameters
+    ----------
+    lines
+        Stations with their opacities, and their rays (`survey`).
+    choices
+        How densities are found.
+    progress
+        Told the share done.
+
     Raises
     ------
     MuyscError

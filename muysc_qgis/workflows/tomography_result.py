@@ -121,7 +121,21 @@ def result_of(
     lost: Mapping[str, int],
     warnings: Sequence[str],
 ) -> Tomography:
-    """Put everything back on the map."""
+    """Put everything back on the map.
+
+    Parameters
+    ----------
+    lines
+        Stations, their rays and the volume.
+    method, system, found
+        What was solved and how, and the densities (g/cm³) of the unknowns.
+    reference
+        Density (g/cm³) of the rock outside the volume.
+    lost
+        Pixels that say nothing, by cause.
+    warnings
+        One sentence each.
+    """
     lattice = system.lattice
     rays = system.paths.coverage()
     seen = rays > 0

@@ -16,7 +16,8 @@ def paper_errors(tomography: Tomography, truth: Volume) -> dict[str, ViewError]:
     """Return the paper's errors: of the top view normalised, of front and side in km.
 
     The views are sums along an axis. That from the top is divided by its largest value; those
-    from the front and the side are lengths in rock of the reference density.
+    from the front and the side are lengths in rock of the reference density. Keys are those of
+    `VIEW_AXES`.
 
     Raises
     ------
@@ -32,7 +33,7 @@ def paper_errors(tomography: Tomography, truth: Volume) -> dict[str, ViewError]:
 
 
 def both_known(tomography: Tomography, truth: Volume) -> tuple[np.ndarray, np.ndarray]:
-    """Return original and reconstruction where both are known."""
+    """Return original and reconstruction (east, north, up), NaN where one is not known."""
     both = truth.known & tomography.density.known
     return (
         np.where(both, truth.values, np.nan), np.where(both, tomography.density.values, np.nan)

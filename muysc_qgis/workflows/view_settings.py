@@ -26,7 +26,15 @@ class ViewSettings:
     near_field_m: float = 0.0
 
     def simulate(self, sight: Sight, progress: Progress = silent) -> Simulation:
-        """Simulate a radiography along a line of sight, see `simulate`."""
+        """Simulate a radiography along a line of sight, see `simulate`.
+
+        Raises
+        ------
+        MuyscError
+            If a number cannot be used or the DEM cannot be read.
+        Cancelled
+            If `progress` asks for a stop.
+        """
         return simulate(
             sight,
             self.aperture,

@@ -78,7 +78,7 @@ class VolumeFrame:
         return (x - self.middle[0]) / self.scale, (y - self.middle[1]) / self.scale
 
     def place(self, longitude: float, latitude: float) -> tuple[float, float]:
-        """Return the position in the CRS of a WGS 84 longitude and latitude."""
+        """Return the position in the CRS of a WGS 84 longitude and latitude in degrees."""
         return from_wgs84(self.crs, longitude, latitude)
 
     def drop(self, east_m: np.ndarray, north_m: np.ndarray) -> np.ndarray:
@@ -119,7 +119,15 @@ class VolumeFrame:
 
 
 def projection_for(dem: Dem, longitude: float, latitude: float) -> CRS:
-    """Return the DEM's own CRS where its lengths are true metres, else the UTM zone."""
+    """Return the DEM's own CRS where its lengths are true metres, else the UTM zone.
+
+    Parameters
+    ----------
+    dem
+        Terrain.
+    longitude, latitude
+        WGS 84 degrees of the place where lengths count.
+    """
     crs = dem.crs
     if crs.is_projected and all(axis.unit_conversion_factor == 1 for axis in crs.axis_info[:2]):
         try:
@@ -156,7 +164,7 @@ def chosen_projection(definition: str, name: str) -> CRS:
 
 
 def utm_zone(longitude: float, latitude: float) -> CRS:
-    """Return the UTM zone on WGS 84 of a position."""
+    """Return the UTM zone on WGS 84 of a longitude and latitude in degrees."""
     from pyproj import CRS
 
     zone = int((longitude + 180.0) % 360.0 // 6) + 1

@@ -83,6 +83,17 @@ def volume_grid(
     direction, trimmed to the DEM; without a base, from where all but the lowest fiftieth of that
     rock is above it; without a top, to the highest ground.
 
+    Parameters
+    ----------
+    plan
+        What is asked for.
+    frame
+        A frame near the volume.
+    stations, rock
+        Detectors, and where their rays are in rock (`rock_seen`).
+    dem
+        Terrain, beyond which the volume must not reach.
+
     Raises
     ------
     MuyscError

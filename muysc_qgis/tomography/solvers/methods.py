@@ -14,10 +14,13 @@ from .options import Options, Reconstruction, Settings, start_vector
 
 @dataclass(frozen=True)
 class Method:
-    """One way from data to densities."""
+    """One way from data to densities, with its defaults where `Options` leave them open."""
 
+    #: As in scripts, and as in texts.
     name: str
     title: str
+    #: From a system without unusable rays and the settings to densities, telling the share done;
+    #: raises `Cancelled` where that asks for a stop.
     solve: Callable[[System, Settings, Progress], Reconstruction]
     iterations: int
     relaxation: float = 1.0

@@ -16,7 +16,13 @@ ORDERINGS = ("interleaved", "sequential", "random")
 
 @dataclass(frozen=True)
 class Options:
-    """Settings shared by all methods; `None` takes the method's own default."""
+    """Settings shared by all methods; `None` takes the method's own default.
+
+    Raises
+    ------
+    MuyscError
+        If a number is out of its range or there is no such order.
+    """
 
     #: Most iterations; a sweep over all rays is one.
     iterations: int | None = None
@@ -30,15 +36,16 @@ class Options:
     subsets: int | None = None
     #: Whether densities below zero are lifted to it.
     nonnegative: bool = True
-    #: Density that none exceeds, such as that of the rock without pores; `None`: no limit.
+    #: Density (g/cm³) that none exceeds, such as that of the rock without pores; `None`: no limit.
     highest: float | None = None
-    #: Model to begin with: a density or one per unknown; `None` takes the best homogeneous one.
+    #: Model to begin with (g/cm³): one density or one per unknown; `None` takes the best one.
     start: float | np.ndarray | None = None
     #: Multiple of the data's errors at which fitting ends, where they are known; 0 never ends.
     discrepancy: float = 1.0
     #: Density step (g/cm³) from which the hybrid penalty goes over from quadratic to linear.
     edge_density: float = 0.1
-    #: Prior of the Bayesian method: mean (`None`: the start), standard deviation, range.
+    #: Prior of the Bayesian method: mean (`None`: the start) and standard deviation in g/cm³, and
+    #: the distance ℓ of its correlation exp(−d/ℓ).
     prior_density: float | None = None
     prior_deviation: float = 0.3
     correlation_length_m: float = 100.0

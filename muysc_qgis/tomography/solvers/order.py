@@ -55,6 +55,13 @@ def dealt(system: System, settings: Settings, subsets: int) -> list[np.ndarray]:
 
     Subsets of views that are far apart see every part of the volume; with fewer views than
     subsets each gets its share of every view's rays.
+
+    Parameters
+    ----------
+    system, settings
+        The rays' views, and the order in which these take their turn.
+    subsets
+        Number of subsets; fewer come out where there are fewer rays.
     """
     grouped = views(system, settings)
     if len(grouped) >= subsets:

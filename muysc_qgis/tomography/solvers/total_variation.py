@@ -20,7 +20,15 @@ _TOLERANCE = 1e-7
 
 
 def norm(paths: Projector, weights: np.ndarray, seed: int = 1) -> float:
-    """Return ‖W½ A‖₂ by power iteration, from below to a few thousandths."""
+    """Return ‖W½ A‖₂ by power iteration, from below to a few thousandths.
+
+    Parameters
+    ----------
+    paths, weights
+        A, and the (n_rays,) diagonal of W.
+    seed
+        Of the vector that it begins with.
+    """
     # The leading vector of a matrix without negative entries has none.
     x = np.random.default_rng(seed).uniform(0.5, 1.0, paths.shape[1])
     size = 0.0
