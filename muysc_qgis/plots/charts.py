@@ -56,19 +56,36 @@ def log_axis(axes: Axes, which: str, low: float, high: float, count: int = 6) ->
     count
         Largest number of steps between labels.
     """
-    from matplotlib.ticker import NullLocator
-
-    getattr(axes, f"set_{which}scale")("log")
-    getattr(axes, f"set_{which}lim")(low, high)
     first, last = int(np.ceil(np.log10(low) - 1e-9)), int(np.floor(np.log10(high) + 1e-9))
     exponents = range(first, last + 1)
     step = max(1, -(-(last - first) // count))
     # Many decades read best as powers throughout.
     name = _power if last - first > _PLAIN_DECADES else lambda n: ticks.number_label(10.0**n)
-    getattr(axes, f"set_{which}ticks")(
-        [10.0**n for n in exponents],
-        [name(n) if (n - first) % step == 0 else "" for n in exponents],
-    )
+    labels = [name(n) if (n - first) % step == 0 else "" for n in exponents]
+    _set_logarithmic(axes, which, (low, high), [10.0**n for n in exponents], labels)
+
+
+def short_log_axis(axes: Axes, which: str, low: float, high: float) -> None:
+    """Give one axis a logarithmic scale of few decades, with round ticks between these too.
+
+    Parameters
+    ----------
+    axes, which, low, high
+        As for `log_axis`.
+    """
+    positions = ticks.logarithmic_ticks(low, high).tolist()
+    labels = [ticks.number_label(position) for position in positions]
+    _set_logarithmic(axes, which, (low, high), positions, labels)
+
+
+def _set_logarithmic(
+    axes: Axes, which: str, limits: tuple[float, float], positions: list[float], labels: list[str]
+) -> None:
+    from matplotlib.ticker import NullLocator
+
+    getattr(axes, f"set_{which}scale")("log")
+    getattr(axes, f"set_{which}lim")(limits)
+    getattr(axes, f"set_{which}ticks")(positions, labels)
     # Minor ticks would take longer to draw than everything else together.
     getattr(axes, f"{which}axis").set_minor_locator(NullLocator())
 

@@ -9,7 +9,7 @@ import numpy as np
 from ..telescope.acceptance import Trajectories, trajectories
 from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
-from . import style, ticks
+from . import charts, style, ticks
 from .frames import Box, new_axes
 
 if TYPE_CHECKING:
@@ -156,15 +156,9 @@ def _resolutions(
         )  # fmt: skip
     axes.set_xscale("log")
     axes.set_yscale("log")
-    for limits, setter, place_ticks in (
-        (axes.get_xlim(), axes.set_xlim, axes.set_xticks),
-        (axes.get_ylim(), axes.set_ylim, axes.set_yticks),
-    ):
-        low, high = limits[0] / 1.15, limits[1] * (2.3 if setter == axes.set_xlim else 1.15)
-        setter(low, high)
-        positions = ticks.logarithmic_ticks(low, high)
-        place_ticks(positions, [ticks.number_label(float(tick)) for tick in positions])
-    axes.minorticks_off()
+    # To the right there is room for the names.
+    for which, (low, high), beyond in (("x", axes.get_xlim(), 2.3), ("y", axes.get_ylim(), 1.15)):
+        charts.short_log_axis(axes, which, low / 1.15, high * beyond)
     axes.set_xlabel("Angular resolution, full width (mrad)", fontsize=style.TEXT_SIZE, labelpad=2)
     axes.set_ylabel("cm² sr", fontsize=style.TEXT_SIZE, labelpad=2)
     _headed(axes, "Largest acceptance of a trajectory")

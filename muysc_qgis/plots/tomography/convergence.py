@@ -76,9 +76,7 @@ def _draw_curve(axes: Axes, tomography: Tomography, level: float) -> None:
     shown = np.append(positive, level) if level else positive
     low, high = (float(shown.min()), float(shown.max())) if shown.size else (0.0, 1.0)
     if low > 0 and high / low > _STEEP:
-        charts.log_axis(axes, "y", low / 1.4, high * 1.4)
-        positions = ticks.logarithmic_ticks(low / 1.4, high * 1.4)
-        axes.set_yticks(positions, [ticks.number_label(float(one)) for one in positions])
+        charts.short_log_axis(axes, "y", low / 1.4, high * 1.4)
     else:
         axes.set_ylim(0.0, 1.08 * high)
     most = max(1, found.iterations_done)

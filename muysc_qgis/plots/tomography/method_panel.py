@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...tomography.method_comparison import Comparison, MethodResult
-from .. import charts, style, ticks
+from .. import charts, style
 from ..frames import Frame, draw_image, page_axes, place
 from ..scales import draw_colour_bar
 
@@ -200,17 +200,8 @@ def _draw_misfits(axes: Axes, comparison: Comparison) -> None:
 
 
 def _log_axis(axes: Axes, which: str, values: list[float] | np.ndarray) -> None:
-    """Give an axis a logarithmic scale around values, with round ticks."""
-    from matplotlib.ticker import NullLocator
-
-    low, high = min(values) / 1.3, max(values) * 1.3
-    positions = ticks.logarithmic_ticks(low, high)
-    getattr(axes, f"set_{which}scale")("log")
-    getattr(axes, f"set_{which}lim")(low, high)
-    getattr(axes, f"set_{which}ticks")(
-        positions, [ticks.number_label(float(position)) for position in positions]
-    )
-    getattr(axes, f"{which}axis").set_minor_locator(NullLocator())
+    """Give an axis a logarithmic scale around values."""
+    charts.short_log_axis(axes, which, min(values) / 1.3, max(values) * 1.3)
 
 
 def _draw_legend(figure: Figure, top_in: float, comparison: Comparison) -> None:
