@@ -64,17 +64,7 @@ def draw_target(frame: Frame, directions: Directions) -> Artist | None:
     if not (left <= azimuth <= right and top <= zenith <= bottom):
         return None
     marker = Line2D(
-        [azimuth],
-        [zenith],
-        transform=frame.values,
-        linestyle="none",
-        marker="*",
-        markersize=13,
-        markerfacecolor="white",
-        markeredgecolor="black",
-        markeredgewidth=0.9,
-        zorder=5,
-        gid="target",
+        [azimuth], [zenith], transform=frame.values, zorder=5, gid="target", **style.TARGET_MARK
     )
     frame.axes.add_artist(marker)
     return marker

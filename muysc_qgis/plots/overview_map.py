@@ -228,19 +228,12 @@ def _draw_points(
     axes: Axes, target_m: tuple[float, float] | None, detector_name: str, target_name: str
 ) -> list[tuple[str, Artist]]:
     """Mark detector, target and the line between them; return the legend entries."""
-    looks = {"linestyle": "none", "markeredgewidth": 0.9, "zorder": 7}
-    (detector,) = axes.plot(
-        [0.0], [0.0], marker="^", markersize=10, markerfacecolor=style.DETECTOR,
-        markeredgecolor="white", **looks,
-    )  # fmt: skip
+    (detector,) = axes.plot([0.0], [0.0], zorder=7, **style.DETECTOR_MARK)
     if target_m is None:
         return [(detector_name, detector)]
     east, north = target_m[0] / 1e3, target_m[1] / 1e3
     (line,) = axes.plot([0.0, east], [0.0, north], color=style.INK, linewidth=0.9, zorder=5)
-    (target,) = axes.plot(
-        [east], [north], marker="*", markersize=14, markerfacecolor="white",
-        markeredgecolor="black", **looks,
-    )  # fmt: skip
+    (target,) = axes.plot([east], [north], zorder=7, **style.TARGET_MARK)
     length = float(np.hypot(east, north))
     text = f"{length * 1e3:.0f} m" if length < 10 else f"{length:.1f} km"
     return [(detector_name, detector), (target_name, target), (f"Line to the target, {text}", line)]

@@ -241,18 +241,13 @@ def _draw_ends(
     axes: Axes, detector_elevation_m: float, rays: Sequence[Ray], target_m: float | None
 ) -> list[tuple[str, object]]:
     """Mark detector and target; return their legend entries."""
-    looks = {"linestyle": "none", "markeredgewidth": 0.9, "zorder": 6, "clip_on": False}
-    (detector,) = axes.plot(
-        [0.0], [detector_elevation_m], marker="^", markersize=10,
-        markerfacecolor=style.DETECTOR, markeredgecolor="white", **looks,
-    )  # fmt: skip
+    above = {"zorder": 6, "clip_on": False}
+    (detector,) = axes.plot([0.0], [detector_elevation_m], **above, **style.DETECTOR_MARK)
     entries: list[tuple[str, object]] = [("Detector", detector)]
     main = next((ray for ray in rays if ray.main), None)
     if main is not None and target_m is not None:
-        (target,) = axes.plot(
-            [target_m], [_at(detector_elevation_m, main, target_m)], marker="*",
-            markersize=14, markerfacecolor="white", markeredgecolor="black", **looks,
-        )  # fmt: skip
+        height = _at(detector_elevation_m, main, target_m)
+        (target,) = axes.plot([target_m], [height], **above, **style.TARGET_MARK)
         entries.append(("Target", target))
     return entries
 

@@ -45,6 +45,16 @@ UNKNOWN_LOOK = {
     "facecolor": "#c9c9c9", "edgecolor": "#8c8c8c", "hatch": "////", "linewidth": 0.0,
 }  # fmt: skip
 
+#: How the target and the detector are marked.
+TARGET_MARK = {
+    "linestyle": "none", "marker": "*", "markersize": 13, "markerfacecolor": "white",
+    "markeredgecolor": "black", "markeredgewidth": 0.9,
+}  # fmt: skip
+DETECTOR_MARK = {
+    "linestyle": "none", "marker": "^", "markersize": 10, "markerfacecolor": DETECTOR,
+    "markeredgecolor": "white", "markeredgewidth": 0.9,
+}  # fmt: skip
+
 LINE_WIDTH = 1.2
 THIN_LINE_WIDTH = 0.6
 

@@ -116,21 +116,17 @@ class SurveyMap:
         """Mark target, best sites and telescopes; return the legend entries."""
         from matplotlib.patches import Circle
 
-        look = {"linestyle": "none", "zorder": 6}
         body = Circle(
             (0, 0), self.radius_m / 1e3, fill=False, edgecolor=style.INK, linestyle="--",
             linewidth=style.LINE_WIDTH, zorder=5,
         )  # fmt: skip
         axes.add_patch(body)
-        (target,) = axes.plot(
-            [0], [0], marker="*", markersize=13, markerfacecolor="white", markeredgecolor="black",
-            **look,
-        )  # fmt: skip
+        (target,) = axes.plot([0], [0], zorder=6, **style.TARGET_MARK)
         legend: list[tuple[str, Artist]] = [("Target", target), ("Target body", body)]
         best, together = self.selection.best, self.selection.telescopes
         (sites,) = axes.plot(
-            self.east_m[best] / 1e3, self.north_m[best] / 1e3, marker="o", markersize=5.5,
-            markerfacecolor="white", markeredgecolor=style.INK, **look,
+            self.east_m[best] / 1e3, self.north_m[best] / 1e3, linestyle="none", marker="o",
+            markersize=5.5, markerfacecolor="white", markeredgecolor=style.INK, zorder=6,
         )  # fmt: skip
         for rank, index in enumerate(best[:_NUMBERED], 1):
             axes.annotate(
@@ -141,9 +137,8 @@ class SurveyMap:
             )  # fmt: skip
         legend.append(("Best sites, by rank", sites))
         (telescopes,) = axes.plot(
-            self.east_m[together] / 1e3, self.north_m[together] / 1e3, marker="^", markersize=10,
-            markerfacecolor=style.DETECTOR, markeredgecolor="white", markeredgewidth=0.9,
-            linestyle="none", zorder=7,
+            self.east_m[together] / 1e3, self.north_m[together] / 1e3, zorder=7,
+            **style.DETECTOR_MARK,
         )  # fmt: skip
         legend.append(("Telescopes that go together", telescopes))
         return legend

@@ -191,8 +191,5 @@ def draw_target(axes: Axes, one: TrajectoryMap) -> Artist | None:
     left, right, bottom, top = edges(one)
     if not (left <= x <= right and bottom <= y <= top):
         return None
-    (marker,) = axes.plot(
-        [float(x)], [float(y)], linestyle="none", marker="*", markersize=13,
-        markerfacecolor="white", markeredgecolor="black", markeredgewidth=0.9, zorder=5,
-    )  # fmt: skip
+    (marker,) = axes.plot([float(x)], [float(y)], zorder=5, **style.TARGET_MARK)
     return marker

@@ -21,12 +21,8 @@ UNSEEN = "#b9b9b9"
 #: Room for a tick with its label across and up (inches).
 _ACROSS_IN, _UP_IN = 0.62, 0.3
 
-#: What a figure of marks and lines says about them.
+#: How the ground is drawn, also in legends.
 GROUND_LINE = {"color": style.INK, "linewidth": 1.3}
-TARGET_MARK = {
-    "linestyle": "none", "marker": "*", "markersize": 13, "markerfacecolor": "white",
-    "markeredgecolor": "black", "markeredgewidth": 0.9,
-}  # fmt: skip
 
 
 def fitted(size_m: tuple[float, float], most_in: tuple[float, float]) -> tuple[float, float]:
@@ -120,7 +116,7 @@ def draw_target(frame: Frame, cut: Cut, across_m: float, up_m: float) -> None:
 
     left, right, bottom, top = cut.limits_m
     if left <= across_m <= right and bottom <= up_m <= top:
-        mark = Line2D([across_m], [up_m], zorder=5, gid="target", **TARGET_MARK)
+        mark = Line2D([across_m], [up_m], zorder=5, gid="target", **style.TARGET_MARK)
         mark.set_transform(frame.values)
         frame.axes.add_artist(mark)
 

@@ -12,7 +12,7 @@ from .. import scales, style, ticks
 from ..frames import Box, new_axes, whole
 from ..map_marks import draw_north, draw_scale_bar
 from ..overview_map import shaded
-from .cut_axes import TARGET_MARK, cell_colours
+from .cut_axes import cell_colours
 from .cuts import slice_at
 
 if TYPE_CHECKING:
@@ -31,10 +31,7 @@ _FAR = 1.0
 _RELIEF = 0.55
 
 _CONTOUR = "#4d4030"
-_STATION = {
-    "linestyle": "none", "marker": "^", "markersize": 7, "markerfacecolor": style.DETECTOR,
-    "markeredgecolor": "white", "markeredgewidth": 0.8, "zorder": 7,
-}  # fmt: skip
+_STATION = {**style.DETECTOR_MARK, "markersize": 7, "zorder": 7}
 _SECTION = {"color": style.RAY, "linewidth": 1.0, "linestyle": (0, (5, 2)), "zorder": 6}
 _VOLUME = {"edgecolor": style.INK, "linewidth": 0.9, "facecolor": "none", "zorder": 5}
 
@@ -169,7 +166,7 @@ def _draw_marks(axes: Axes, tomography: Tomography, place: Place) -> list[tuple[
     ]
     if tomography.target is not None:
         (target,) = axes.plot(
-            [tomography.target.x / 1e3], [tomography.target.y / 1e3], zorder=8, **TARGET_MARK
+            [tomography.target.x / 1e3], [tomography.target.y / 1e3], zorder=8, **style.TARGET_MARK
         )
         legend.insert(1, ("Target", target))
     return legend
