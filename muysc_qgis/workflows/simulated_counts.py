@@ -25,6 +25,9 @@ from .station_data import StationData
 #: Confidence of the limits of pixels without a muon, which are left out.
 _CONFIDENCE = 0.95
 
+#: Most muons of a pixel: whole numbers add up exactly to 9 times this (2⁵³).
+_MOST_MUONS = 1e15
+
 #: Flags of pixels whose counts say an opacity.
 _SAID = (Flag.MEASURED, Flag.SKY)
 
@@ -39,12 +42,14 @@ class Campaign:
         If a number is out of range.
     """
 
+    #: Days of counting.
     days: float = 100.0
     telescope: Telescope = field(default_factory=Telescope)
     #: Counts up to which neighbouring pixels are merged, 0 for no merging.
     minimum_counts: float = 20.0
     #: Whether counts are drawn at all; without noise the opacity is known.
     noise: bool = True
+    #: What the draws start from, 0 or more.
     seed: int = 1
 
     def __post_init__(self) -> None:
@@ -113,7 +118,8 @@ def count_muons(
     Raises
     ------
     MuyscError
-        If the opacity is not known or a number cannot be used.
+        If the opacity is not known, a number cannot be used, or a pixel would count more muons
+        than can be drawn.
     Cancelled
         If the receiver of the progress asks for a stop.
     """
@@ -133,7 +139,15 @@ def count_muons(
     elevation = view.elevation_deg[:, None]
     acceptance = campaign.telescope.acceptance_toward(view)
     flux = attenuate(data.opacity.reshape(shape), elevation, physics, data.elevation_m).flux
-    expected = flux * acceptance * campaign.days
+    with np.errstate(over="ignore"):
+        expected = flux * acceptance * campaign.days
+    most = np.max(expected, initial=0.0, where=~np.isnan(expected))
+    if most > _MOST_MUONS:
+        raise MuyscError(
+            f"A pixel of {data.name} would count {most:.3g} muons in {campaign.days:g} days, "
+            f"beyond the {_MOST_MUONS:g} that can be drawn; count for less time, or with a "
+            "smaller acceptance."
+        )
     known = np.isfinite(expected)
     counts = np.where(known, generator.poisson(np.where(known, expected, 0.0)), np.nan)
     found = measure_density(

@@ -159,6 +159,12 @@ def test_counts_say_the_opacity_within_their_errors(counting):
     assert abs(np.mean(off)) < 0.15
 
 
+@pytest.mark.parametrize("days", [1e18, 1e308])
+def test_more_muons_than_can_be_drawn_are_refused(counting, days):
+    with pytest.raises(MuyscError, match=r"muons in 1e\+\d+ days, beyond the 1e\+15.*less time"):
+        counting(Campaign(days, Telescope(100.0)))
+
+
 def test_merged_pixels_weigh_as_much_as_their_region(counting):
     """What the pixels say of one density, Σ (ϱ/σ)² over the rock, merging does not change.
 
