@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import inspect
+import os
 import traceback
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
@@ -12,6 +13,9 @@ from typing import Any, TypeVar, cast
 import numpy as np
 
 from .errors import MuyscError, detail_of
+
+#: No map reaches further, whatever its unit: the Earth's girth is 4e7 m.
+FARTHEST = 1e9
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -90,6 +94,30 @@ def as_float32(values: np.ndarray, what: str) -> np.ndarray:
             "holds; check the numbers that it comes from."
         )
     return values.astype(np.float32)
+
+
+def reach_of(dataset: Any) -> float:
+    """Return a bound of the coordinates of a raster, in its own unit; NaN if it has none."""
+    left, step_x, skew_x, top, skew_y, step_y = map(abs, dataset.GetGeoTransform())
+    columns, rows = dataset.RasterXSize, dataset.RasterYSize
+    x, y = left + step_x * columns + skew_x * rows, top + skew_y * columns + step_y * rows
+    return float(np.maximum(x, y))
+
+
+def is_endless(path: str) -> bool:
+    """Return whether QGIS would open a raster for ever.
+
+    It lets GDAL turn rotated rasters to the north, which does not end with coordinates like 1e200.
+    """
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    if not os.path.isfile(path):
+        return False
+    try:
+        return not reach_of(gdal.Open(path)) <= FARTHEST
+    except RuntimeError:
+        return False
 
 
 def metadata_of(dataset: Any, domain: str) -> dict[str, str]:

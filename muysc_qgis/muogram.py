@@ -10,11 +10,16 @@ import numpy as np
 
 from . import __version__
 from .errors import MuyscError, detail_of
-from .geotiff import as_float32, metadata_of, raster_reader, raster_writer
+from .geotiff import as_float32, metadata_of, raster_reader, raster_writer, reach_of
 from .quantities import QUANTITIES, Quantity
 
 #: GDAL metadata domain of everything a later step needs to know.
 DOMAIN = "MUYSC"
+
+#: Bounds of directions, in degrees or as tangents: the tangent of 89.9999° is 6e5, and steps of
+#: 1e-9 are still told apart there.
+_FARTHEST = 1e6
+_NARROWEST = 1e-9
 
 #: Largest relative unevenness of the direction axes that a raster can carry.
 _AXIS_TOLERANCE = 1e-6
@@ -261,8 +266,8 @@ def read_grid(path: str | Path) -> Grid:
     Raises
     ------
     MuyscError
-        If the file is not a raster, holds more than one band, is rotated, or
-        lacks the metadata that says what it holds.
+        If the file is not a raster, holds more than one band, is rotated, lacks
+        the metadata that says what it holds, or has pixels that are no directions.
     """
     from osgeo import gdal
 
@@ -289,6 +294,12 @@ def read_grid(path: str | Path) -> Grid:
         raise MuyscError(
             f"{path} is rotated or upside down (geotransform {dataset.GetGeoTransform()}); "
             "a muogram has azimuth to the right and elevation upwards."
+        )
+    if not reach_of(dataset) <= _FARTHEST or min(step_x, -step_y) < _NARROWEST:
+        raise MuyscError(
+            f"The pixels of {path} are no directions (geotransform {dataset.GetGeoTransform()}): "
+            f"angles or tangents reach ±{_FARTHEST:g} at most and are {_NARROWEST:g} or more "
+            "apart; choose a raster made by a MUYSC algorithm."
         )
     band = dataset.GetRasterBand(1)
     values = band.ReadAsArray().astype(float)

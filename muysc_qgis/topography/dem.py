@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import MuyscError, detail_of
-from ..geotiff import raster_reader
+from ..geotiff import FARTHEST, raster_reader, reach_of
 from .heights import LOWEST_M, PEAK_M, UNFLAGGED_NO_DATA_M, metres_per_unit
 
 if TYPE_CHECKING:
@@ -239,6 +239,11 @@ def open_dem(path: str | Path, band: int = 1, crs: str | None = None, unit: str 
         geotransform[2] * geotransform[4]
     ):
         raise MuyscError(f"The DEM {name} is not georeferenced; georeference it first.")
+    if not reach_of(dataset) <= FARTHEST:
+        raise MuyscError(
+            f"The DEM {name} has the geotransform {geotransform}, and no map reaches beyond "
+            f"{FARTHEST:g}; georeference it first."
+        )
     full_crs = _crs_of(dataset, crs, name)
     factor, assumption = metres_per_unit(unit, raster_band.GetUnitType(), full_crs, name)
     scale = raster_band.GetScale()

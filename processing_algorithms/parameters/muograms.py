@@ -13,6 +13,7 @@ from qgis.core import (
 )
 
 from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.geotiff import is_endless
 from ...muysc_qgis.muogram import Muogram, read_muogram
 from ...muysc_qgis.trajectories import read_view
 from ...muysc_qgis.views import View
@@ -95,13 +96,14 @@ def read_view_layers(
     if not given(parameters, name):
         return []
     value = parameters[name]
+    asked = value if isinstance(value, list) else [value]
     try:
-        layers = algorithm.parameterAsLayerList(parameters, name, context)
+        endless = any(isinstance(one, str) and is_endless(one) for one in asked)
+        layers = [] if endless else algorithm.parameterAsLayerList(parameters, name, context)
     except Exception:
         # So a damaged file shows that fails deep inside QGIS.
         layers = []
     paths = [layer.source() for layer in layers]
-    asked = value if isinstance(value, list) else [value]
     if len(paths) < len(asked):
         # Opening them again will tell why QGIS could not.
         paths = [one.source() if isinstance(one, QgsMapLayer) else str(one) for one in asked]

@@ -14,6 +14,7 @@ from qgis.core import (
 )
 
 from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.geotiff import is_endless
 from ...muysc_qgis.topography.dem import Dem, open_dem
 from ...muysc_qgis.topography.heights import UNITS
 from .values import choice, explained, read_choice, read_count
@@ -99,7 +100,8 @@ def opened_layer(
     context: QgsProcessingContext,
 ) -> QgsRasterLayer | None:
     """Return a raster layer, None where QGIS cannot open it."""
-    if is_endless(parameters.get(name)):
+    value = parameters.get(name)
+    if isinstance(value, str) and is_endless(value):
         return None
     try:
         layer = algorithm.parameterAsRasterLayer(parameters, name, context)
@@ -107,16 +109,3 @@ def opened_layer(
         # So a damaged file shows that fails deep inside QGIS.
         return None
     return layer if layer is not None and layer.isValid() else None
-
-
-def is_endless(value: Any) -> bool:
-    """Return whether a value names a raster that QGIS would open for ever.
-
-    It lets GDAL turn rotated rasters to the north, which does not end with coordinates like 1e200.
-    """
-    if not isinstance(value, str):
-        return False
-    try:
-        return not reach_of(gdal.Open(value)) <= FARTHEST
-    except RuntimeError:
-        return False

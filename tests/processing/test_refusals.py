@@ -125,6 +125,19 @@ def test_a_muogram_is_not_a_dem(refused, run, vesuvius, tmp_path):
     assert_one_sentence(said)
 
 
+def test_a_raster_that_gdal_would_turn_for_ever(refused, vesuvius, data_folder, tmp_path):
+    dem = tmp_path / "far.tif"
+    dem.write_bytes((data_folder / "vesuvius_srtmgl1.tif").read_bytes())
+    dataset = gdal.Open(str(dem), gdal.GA_Update)
+    dataset.SetGeoTransform((1.1e200, 2e16, 1e-9, 1e-9, -4.8e16, 5.3e16))
+    del dataset
+    said = refused(DEM=str(dem))
+    assert_one_sentence(said)
+    assert "1.1e+200" in said
+    several = {"DEM": vesuvius["DEM"], "MUOGRAMS": [str(dem)]}
+    assert_one_sentence(refused("tomography", several, DENSITY=str(tmp_path / "density.tif")))
+
+
 def test_a_detector_on_no_data(refused, data_folder):
     dem = data_folder / "st_helens_usgs.tif"
     dataset = gdal.Open(str(dem))

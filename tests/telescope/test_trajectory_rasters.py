@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from osgeo import gdal
 
 from muysc_qgis.errors import MuyscError
 from muysc_qgis.muogram import Muogram, read_grid, read_muogram, write_muogram
@@ -67,6 +68,24 @@ def test_muograms_and_telescope_rasters_are_told_apart(tmp_path):
         read_trajectories(tmp_path / "muogram.tif")
     assert isinstance(read_view(tmp_path / "telescope.tif"), TrajectoryMap)
     assert isinstance(read_view(tmp_path / "muogram.tif"), Muogram)
+
+
+@pytest.mark.parametrize(
+    "geotransform",
+    [
+        (1e300, 1, 0, 10, 0, -1), (np.inf, 1, 0, 10, 0, -1), (np.nan, 1, 0, 10, 0, -1),
+        (0, 1e308, 0, 10, 0, -1), (0, 1, 0, 10, 0, -np.inf), (0, 1, 0, 1e9, 0, -1),
+        (0, 1e-300, 0, 10, 0, -1), (0, 1, 0, 10, 0, -1e-10),
+    ],
+)  # fmt: skip
+def test_pixels_that_are_no_directions_are_refused(tmp_path, geotransform):
+    path = str(tmp_path / "a.tif")
+    write_trajectories(raster(), path)
+    dataset = gdal.Open(path, gdal.GA_Update)
+    dataset.SetGeoTransform(geotransform)
+    del dataset
+    with pytest.raises(MuyscError, match=r"no directions.*1e\+06 at most and are 1e-09 or more"):
+        read_grid(path)
 
 
 def test_shapes_and_quantities_are_checked():

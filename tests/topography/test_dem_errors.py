@@ -109,6 +109,12 @@ def test_collapsed_geotransform(write_dem):
     refuses(write_dem(FLAT, UTM, collapsed), "is not georeferenced")
 
 
+@pytest.mark.parametrize("far", [1e200, np.inf, np.nan])
+def test_coordinates_that_no_map_has(write_dem, far):
+    path = write_dem(FLAT, UTM, (far, 30.0, 0.0, 4_520_000.0, 0.0, -30.0), name="far.tif")
+    refuses(path, "far.tif", f"{far}", "1e+09", "georeference it")
+
+
 @pytest.mark.parametrize("band", [0, 2, -1])
 def test_band_that_does_not_exist(write_dem, band):
     refuses(
