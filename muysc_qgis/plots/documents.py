@@ -20,15 +20,13 @@ from .profile import section_panel
 from .provenance import Provenance, physics_of
 from .rays import Ray
 from .report import PixelCount, Report, ReportFigure, Row
-from .style import png_bytes
+from .style import REPORT_DPI, png_bytes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 #: Quantities of the second figure, as far as a simulation has them.
 _FURTHER = ("opacity", "minimum_energy", "open_sky", "transmission", "exposure", "distance")
-#: Resolution (dots per inch) of figures in the report, read on screens.
-_REPORT_DPI = 100
 #: Margin of the map around what it shows, as a share of its size.
 _MAP_MARGIN = 0.12
 
@@ -68,7 +66,7 @@ def figures(
     drawn.append(
         ReportFigure(
             _further_caption(simulation, further),
-            png_bytes(summary_panel(further), _REPORT_DPI),
+            png_bytes(summary_panel(further), REPORT_DPI),
             "Muograms of " + ", ".join(one.kind.title.lower() for one in further.values()),
         )
     )
@@ -106,7 +104,7 @@ def _map(simulation: Simulation, sight: Sight, aperture: Aperture) -> ReportFigu
         f"Detector, target, field of view and the ground seen{band}."
         if ground
         else "Detector, target and field of view.",
-        png_bytes(figure, _REPORT_DPI),
+        png_bytes(figure, REPORT_DPI),
         "Map of the terrain around the detector",
     )
 
@@ -147,7 +145,7 @@ def _section(simulation: Simulation, sight: Sight, aperture: Aperture) -> list[R
         ReportFigure(
             "Terrain along the boresight with the rock that rays cross. Heights are lowered by "
             "the curvature of the Earth, so that rays are straight.",
-            png_bytes(figure, _REPORT_DPI),
+            png_bytes(figure, REPORT_DPI),
             "Section through the terrain along the boresight",
         )
     ]
@@ -188,9 +186,7 @@ def report(
         pixels=pixels,
         pixel_total=total,
         warnings=simulation.warnings,
-        citations=[
-            *physics_of(flux.metadata),
-        ],
+        citations=physics_of(flux.metadata),
     )
     return provenance.added_to(told)
 

@@ -17,7 +17,7 @@ from .directions import describe
 from .panel import muogram_panels, summary_panel
 from .provenance import Provenance, physics_of
 from .report import Citation, PixelCount, Report, ReportFigure, Row
-from .style import png_bytes
+from .style import REPORT_DPI, png_bytes
 from .trajectory_page import aimed_at_target, trajectory_page
 
 if TYPE_CHECKING:
@@ -28,8 +28,6 @@ _FURTHER = (
     "thickness", "opacity", "density_lower", "density_upper", "density_minimum",
     "density_maximum", "density_flags",
 )  # fmt: skip
-#: Resolution (dots per inch) of figures in the report, read on screens.
-_REPORT_DPI = 110
 
 _INTERVALS = (
     Citation(
@@ -99,7 +97,7 @@ def figures(result: DensityResult) -> list[ReportFigure]:
         ),
         ReportFigure(
             f"What the density follows from, and its interval. Flags: {meanings}.",
-            png_bytes(_further(result, further), _REPORT_DPI),
+            png_bytes(_further(result, further), REPORT_DPI),
             "Muograms of " + ", ".join(QUANTITIES[name].title.lower() for name in further),
         ),
     ]

@@ -24,6 +24,8 @@ WIDTH_IN = 10.0
 MARGIN_IN = 0.22
 #: Dots per inch of a PNG unless the caller says otherwise.
 DPI = 130
+#: And of further pictures in reports, which are read on screens.
+REPORT_DPI = 110
 
 #: Text sizes (points).
 TITLE_SIZE = 12.0

@@ -10,14 +10,11 @@ from ..workflows.site_assessment import SurveyPlan
 from ..workflows.site_selection import Selection
 from .provenance import Provenance, physics_citations
 from .report import Citation, Report, ReportFigure, Row
-from .style import png_bytes
+from .style import REPORT_DPI, png_bytes
 from .survey_panel import survey_maps, survey_panel
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-#: Resolution (dots per inch) of figures in the report, read on screens.
-_REPORT_DPI = 110
 
 _GREEDY = Citation(
     "Choice of telescopes: Nemhauser, G. L., Wolsey, L. A. & Fisher, M. L. (1978). An analysis of "
@@ -64,7 +61,7 @@ def report(
         ReportFigure(
             "Exposure time, share of the target seen, thickness of rock and free sky from every "
             "candidate.",
-            png_bytes(survey_maps(selection, plan), _REPORT_DPI),
+            png_bytes(survey_maps(selection, plan), REPORT_DPI),
             "Four maps of numbers of the candidates",
         ),
     ]

@@ -11,16 +11,13 @@ from ..topography.sight import Sight
 from ..workflows.expected_counts import TelescopeCounts
 from .provenance import Provenance, physics_of
 from .report import Citation, PixelCount, Report, ReportFigure, Row
-from .style import png_bytes
+from .style import REPORT_DPI, png_bytes
 from .telescope_comparison import comparison_panel
 from .telescope_counts import FURTHER, counts_panel
 from .telescope_panel import telescope_panel, telescope_title
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-#: Resolution (dots per inch) of figures in the report, read on screens.
-_REPORT_DPI = 110
 
 #: The work behind the time that a contrast takes.
 _FEASIBILITY = Citation(
@@ -70,7 +67,7 @@ def report(
         ReportFigure(
             "The telescope beside those that were built. The effective area is the acceptance "
             "over the solid angle of its response.",
-            png_bytes(comparison_panel(geometry, name, collected.formula), _REPORT_DPI),
+            png_bytes(comparison_panel(geometry, name, collected.formula), REPORT_DPI),
             "Comparison of telescopes",
         ),
     ]
@@ -134,7 +131,7 @@ def counts_report(
         ReportFigure(
             "Exposure time, counts of the open sky, mean flux and mean thickness on the same "
             "trajectories.",
-            png_bytes(counts_panel(counts, name, FURTHER), _REPORT_DPI),
+            png_bytes(counts_panel(counts, name, FURTHER), REPORT_DPI),
             "Further maps in telescope angles",
         ),
     ]

@@ -10,14 +10,11 @@ from ...radiography.materials import MATERIALS
 from ...radiography.spectra import MODELS
 from ..provenance import Provenance
 from ..report import Citation, Report, ReportFigure, Row
-from ..style import WIDTH_IN, new_figure, png_bytes
+from ..style import REPORT_DPI, WIDTH_IN, new_figure, png_bytes
 from . import attenuation, energy_spectra, losses
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-#: Resolution (dots per inch) of figures in the report, read on screens.
-_REPORT_DPI = 110
 
 
 def spectrum_figure(comparison: Comparison) -> Figure:
@@ -132,7 +129,7 @@ def _figures(comparison: Comparison) -> list[ReportFigure]:
         (attenuation_figure, "Transmission and flux against opacity."),
     )
     return [
-        ReportFigure(caption, png_bytes(draw(comparison), _REPORT_DPI), caption)
+        ReportFigure(caption, png_bytes(draw(comparison), REPORT_DPI), caption)
         for draw, caption in drawn
     ]
 

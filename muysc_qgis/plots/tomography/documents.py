@@ -15,7 +15,7 @@ from ...workflows.tomography_result import Tomography
 from ...workflows.view_errors import paper_errors
 from ..provenance import Provenance
 from ..report import PixelCount, Report, ReportFigure, Row
-from ..style import DPI, png_bytes
+from ..style import DPI, REPORT_DPI, png_bytes
 from .convergence import convergence_figure
 from .known_model_panel import known_model_panel
 from .section_picture import section_figure
@@ -26,9 +26,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = ["known_model_panel", "known_model_report", "panel", "report", "terrain"]
-
-#: Resolution (dots per inch) of figures in the report, read on screens.
-_REPORT_DPI = 110
 
 
 def terrain(tomography: Tomography, dem: Dem) -> Relief:
@@ -92,7 +89,7 @@ def report(
         drawn.append(
             ReportFigure(
                 "Vertical section through the densities along the line.",
-                png_bytes(section_figure(tomography, line_m, relief), _REPORT_DPI),
+                png_bytes(section_figure(tomography, line_m, relief), REPORT_DPI),
                 "Vertical section along the line",
             )
         )
@@ -178,7 +175,7 @@ def _panel_figure(tomography: Tomography, relief: Relief, is_panel: bool = True)
         caption += ", and the standard errors of the densities"
     return ReportFigure(
         f"{caption}. White stands for the reference density.",
-        png_bytes(tomography_panel(tomography, relief), DPI if is_panel else _REPORT_DPI),
+        png_bytes(tomography_panel(tomography, relief), DPI if is_panel else REPORT_DPI),
         "Slices, sections and views of the densities",
         is_panel=is_panel,
     )
@@ -187,7 +184,7 @@ def _panel_figure(tomography: Tomography, relief: Relief, is_panel: bool = True)
 def _convergence(tomography: Tomography, discrepancy: float) -> ReportFigure:
     return ReportFigure(
         "Misfit between data and model by iteration, and what is left of every station's data.",
-        png_bytes(convergence_figure(tomography, discrepancy), _REPORT_DPI),
+        png_bytes(convergence_figure(tomography, discrepancy), REPORT_DPI),
         "Misfit by iteration and by station",
     )
 
