@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 from qgis.core import (
@@ -227,20 +228,12 @@ class Density(MuyscAlgorithm):
             stage_trajectories if isinstance(inputs.thickness, TrajectoryMap) else stage_muograms
         )
         results = stage(self, _OUTPUTS, result.muograms, *files)
-
-        def panel() -> Any:
-            from ..muysc_qgis.plots import measured
-
-            return measured.panel(result)
-
-        def report(provenance: Any) -> Any:
-            from ..muysc_qgis.plots import measured
-
-            return measured.report(result, measured.figures(result), provenance)
-
         results |= stage_drawn(
-            self, panel, report, results, parameters, context, feedback, staging, inputs.paths
-        )
+            self,
+            lambda: _drawing().panel(result),
+            lambda provenance: _drawing().report(result, _drawing().figures(result), provenance),
+            results, parameters, context, feedback, staging, inputs.paths,
+        )  # fmt: skip
         return results | _numbers(result)
 
 
@@ -278,3 +271,10 @@ def _numbers(result: DensityResult) -> dict[str, float]:
         "UNKNOWN_PIXELS": sum(found.count(flag) for flag in UNKNOWN),
         "REGIONS": found.regions,
     }
+
+
+def _drawing() -> ModuleType:
+    # Loaded only where something is drawn: matplotlib may be missing.
+    from ..muysc_qgis.plots import measured
+
+    return measured

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 from qgis.core import (
@@ -200,7 +201,7 @@ def _numbers(counts: TelescopeCounts, sight: Sight) -> dict[str, float]:
     }
 
 
-def _drawing() -> Any:
+def _drawing() -> ModuleType:
     # Loaded only where something is drawn: matplotlib may be missing.
     from ..muysc_qgis.plots import telescope_documents
 

@@ -181,8 +181,8 @@ class FluxSpectrum(MuyscAlgorithm):
                 results[name] = path
         results |= stage_drawn(
             self,
-            lambda: self._drawing().panel(comparison),
-            lambda provenance: self._drawing().report(comparison, provenance),
+            lambda: _drawing().panel(comparison),
+            lambda provenance: _drawing().report(comparison, provenance),
             results, parameters, context, feedback, staging, (),
         )  # fmt: skip
         return results | {
@@ -191,9 +191,9 @@ class FluxSpectrum(MuyscAlgorithm):
             "LARGEST_RATIO": comparison.largest_ratio,
         }
 
-    @staticmethod
-    def _drawing() -> ModuleType:
-        # Loaded only where something is drawn: matplotlib may be missing.
-        from ..muysc_qgis.plots.spectra import documents
 
-        return documents
+def _drawing() -> ModuleType:
+    # Loaded only where something is drawn: matplotlib may be missing.
+    from ..muysc_qgis.plots.spectra import documents
+
+    return documents

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
@@ -167,24 +168,18 @@ class ReconstructionTest(MuyscAlgorithm):
         staged = (staging, (inputs.dem.path,))
         results = stage_volumes(self, found.tomography, *files, *staged)
         results |= stage_known_model(self, found, values, *files, *staged)
-
-        def panel() -> Any:
-            from ..muysc_qgis.plots.tomography import documents
-
-            return documents.known_model_panel(found.tomography, found.truth)
-
-        def report(provenance: Any) -> Any:
-            from ..muysc_qgis.plots.tomography import documents
-
-            return documents.known_model_report(
+        results |= stage_drawn(
+            self,
+            lambda: _drawing().known_model_panel(found.tomography, found.truth),
+            lambda provenance: _drawing().known_model_report(
                 found,
                 inputs.dem,
                 provenance,
                 warnings=inputs.skipped,
                 discrepancy=inputs.choices.options.discrepancy,
-            )
-
-        results |= stage_drawn(self, panel, report, results, *files, feedback, *staged)
+            ),
+            results, *files, feedback, *staged,
+        )  # fmt: skip
         results |= write_voxels(self, found.tomography, *files, staging)
         crs = inputs.layer.crs()
         results |= write_stations(self, inputs.stations, found, crs, *files, staging)
@@ -215,3 +210,10 @@ def _say(feedback: QgsProcessingFeedback, inputs: _Inputs, found: KnownModelResu
     )
     for text in result.warnings:
         feedback.pushWarning(text)
+
+
+def _drawing() -> ModuleType:
+    # Loaded only where something is drawn: matplotlib may be missing.
+    from ..muysc_qgis.plots.tomography import documents
+
+    return documents

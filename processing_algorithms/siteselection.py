@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from qgis.core import (
@@ -223,7 +224,7 @@ def _numbers(selection: Selection) -> dict[str, float]:
     }
 
 
-def _drawing() -> Any:
+def _drawing() -> ModuleType:
     # Loaded only where something is drawn: matplotlib may be missing.
     from ..muysc_qgis.plots import survey_documents
 

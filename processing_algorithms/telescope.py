@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 from qgis.core import (
@@ -144,7 +145,7 @@ class Telescope(MuyscAlgorithm):
         return {_COMPARISON: path}
 
 
-def _drawing() -> Any:
+def _drawing() -> ModuleType:
     # Loaded only where something is drawn: matplotlib may be missing.
     from ..muysc_qgis.plots import telescope_documents
 

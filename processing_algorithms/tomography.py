@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
@@ -144,25 +145,19 @@ class TomographyAlgorithm(MuyscAlgorithm):
         staged = (staging, inputs.paths)
         results = stage_volumes(self, result, *files, *staged)
         results |= stage_section(self, result, inputs.dem, inputs.line, *files, feedback, *staged)
-
-        def panel() -> Any:
-            from ..muysc_qgis.plots.tomography import documents
-
-            return documents.panel(result, inputs.dem)
-
-        def report(provenance: Any) -> Any:
-            from ..muysc_qgis.plots.tomography import documents
-
-            return documents.report(
+        results |= stage_drawn(
+            self,
+            lambda: _drawing().panel(result, inputs.dem),
+            lambda provenance: _drawing().report(
                 result,
                 inputs.dem,
                 provenance,
                 warnings=data.warnings,
                 discrepancy=inputs.choices.options.discrepancy,
                 line_m=inputs.line,
-            )
-
-        results |= stage_drawn(self, panel, report, results, *files, feedback, *staged)
+            ),
+            results, *files, feedback, *staged,
+        )  # fmt: skip
         results |= write_voxels(self, result, *files, staging)
         return results | _numbers(result)
 
@@ -201,3 +196,10 @@ def _numbers(result: Tomography) -> dict[str, float]:
         "VOXELS_SEEN": result.seen_voxels,
         "VOXELS_UNSEEN": result.unseen_voxels,
     }
+
+
+def _drawing() -> ModuleType:
+    # Loaded only where something is drawn: matplotlib may be missing.
+    from ..muysc_qgis.plots.tomography import documents
+
+    return documents

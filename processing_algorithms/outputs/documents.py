@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from osgeo import gdal
@@ -71,20 +72,19 @@ def stage_documents(
 ) -> dict[str, str]:
     """Draw and stage panel and report of a simulation; see `stage_drawn`."""
 
-    def panel() -> Figure:
+    def drawing() -> ModuleType:
         from ...muysc_qgis.plots import documents
 
-        return documents.panel(simulation)
-
-    def report(provenance: Provenance) -> Report:
-        from ...muysc_qgis.plots import documents
-
-        drawn = documents.figures(simulation, sight, aperture)
-        return documents.report(simulation, drawn, provenance)
+        return documents
 
     return stage_drawn(
-        algorithm, panel, report, written, parameters, context, feedback, staging, inputs
-    )
+        algorithm,
+        lambda: drawing().panel(simulation),
+        lambda provenance: drawing().report(
+            simulation, drawing().figures(simulation, sight, aperture), provenance
+        ),
+        written, parameters, context, feedback, staging, inputs,
+    )  # fmt: skip
 
 
 def stage_drawn(
