@@ -26,15 +26,12 @@ from ...muysc_qgis.radiography.spectra import MODELS
 from ...muysc_qgis.telescope.presets import CUSTOM, PRESETS
 from ...muysc_qgis.tomography.solvers import METHODS
 from ..language import english_label
-from ..parameters.telescope import NONE
+from ..parameters.telescope import NONE, SIZES
 from ..parameters.values import given
 
 #: Units that labels of parameters end with, and what comes before the stand-in for no value.
 _UNITS = ("m", "cm", "°", "g/cm³", "cm² sr", "GeV", "days", "%", "GiB")
 _EMPTY = "empty: "
-
-#: Sizes of a telescope, which a preset replaces.
-_SIZES = ("BARS_X", "BARS_Y", "PIXEL_SIZE", "SEPARATION", "PLANES")
 
 #: What the words of enumerations are called, by parameter.
 _TITLED: dict[str, Mapping[str, Any]] = {
@@ -172,7 +169,7 @@ def _without_effect(
     definitions = {one.name() for one in algorithm.parameterDefinitions()}
     preset, model = chosen("PRESET"), chosen("FLUX_MODEL")
     if preset not in (None, CUSTOM):
-        names |= {*_SIZES, *(["FORMULA"] if preset == NONE else [])}
+        names |= {*SIZES, *(["FORMULA"] if preset == NONE else [])}
     if model is not None and not model.startswith("gaisser"):
         names.add("GAISSER_PARAMETERS")
     for choice, dependent in _ONLY_FOR.items():

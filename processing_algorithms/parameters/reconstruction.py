@@ -10,6 +10,7 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
 )
 
+from ...muysc_qgis.radiography.settings import MAXIMUM_DENSITY_G_CM3
 from ...muysc_qgis.tomography.solvers import METHODS, ORDERINGS, PARALLEL_ONLY, Options, method_of
 from ...muysc_qgis.workflows.tomography import TomographyChoices
 from .values import choice, given, number, read_choice, read_count, read_number, switch
@@ -48,9 +49,9 @@ def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
         ),
         number(
             "REFERENCE_DENSITY", "Reference density (g/cm³, empty: the muograms' mean)",
-            "Give the density in g/cm³, above 0 and up to 30, of the rock outside the volume, of "
-            "the start and of the prior.",
-            None, 0, 30,
+            f"Give the density in g/cm³, above 0 and up to {MAXIMUM_DENSITY_G_CM3:g}, of the rock "
+            "outside the volume, of the start and of the prior.",
+            None, 0, MAXIMUM_DENSITY_G_CM3,
         ),
         number(
             "RELATIVE_ERROR", "Error of the opacities (%)",
@@ -74,7 +75,7 @@ def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
             "HIGHEST_DENSITY", "Highest density (g/cm³, empty: none)",
             "Give the density in g/cm³, above 0, that none may exceed, such as that of the rock "
             "without pores; bayes knows none.",
-            None, 0, 30, advanced=True,
+            None, 0, MAXIMUM_DENSITY_G_CM3, advanced=True,
         ),
         choice(
             "ORDERING", "Order of the rays",

@@ -21,7 +21,8 @@ from .values import choice, number, read_choice, read_count, read_number
 #: The choice of radiography for an acceptance given as a number.
 NONE = "none"
 
-_SIZES = ("BARS_X", "BARS_Y", "PIXEL_SIZE", "SEPARATION", "PLANES")
+#: Parameters that a preset replaces.
+SIZES = ("BARS_X", "BARS_Y", "PIXEL_SIZE", "SEPARATION", "PLANES")
 
 
 def geometry_parameters(optional: bool = False) -> list[QgsProcessingParameterDefinition]:
@@ -104,12 +105,12 @@ def read_geometry(
     bars_x, bars_y, size, separation, planes = (
         None if algorithm.parameterDefinition(name) is None
         else read_number(*read, name, context)
-        for name in _SIZES
+        for name in SIZES
     )  # fmt: skip
     if preset == NONE:
         notes = tuple(
             f"{name} is not used, because no telescope is chosen; choose the PRESET {CUSTOM}."
-            for name, value in zip(_SIZES, (bars_x, bars_y, size, separation))
+            for name, value in zip(SIZES, (bars_x, bars_y, size, separation))
             if value is not None
         )
         return None, formula, notes
