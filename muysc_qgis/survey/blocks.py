@@ -55,7 +55,7 @@ class BlockFolder:
 
     def _holds(self, fingerprint: str) -> bool:
         path = self.folder / _FINGERPRINT
-        return path.is_file() and path.read_text(encoding="utf-8") == fingerprint
+        return path.is_file() and path.read_bytes() == fingerprint.encode()
 
     def _clear(self) -> None:
         ours = self.folder.is_dir() and (self.folder / _NOTE).is_file()
@@ -74,8 +74,15 @@ class BlockFolder:
         return self.folder / f"block_{block:06d}.json"
 
     def pending(self) -> list[int]:
-        """Return the blocks that are not finished."""
-        return [block for block in self._blocks() if not self._path(block).is_file()]
+        """Return the blocks that are not finished, or whose file is damaged."""
+        return [block for block in self._blocks() if self._read(block) is None]
+
+    def _read(self, block: int) -> list[Any] | None:
+        try:
+            results = json.loads(self._path(block).read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return None
+        return results if isinstance(results, list) else None
 
     def _blocks(self) -> range:
         return range(-(-self._items // self._size))
@@ -100,12 +107,22 @@ class BlockFolder:
             ) from error
 
     def results(self) -> list[Any]:
-        """Return the results of all items in their order, once no block is pending."""
-        return [
-            result
-            for block in self._blocks()
-            for result in json.loads(self._path(block).read_text(encoding="utf-8"))
-        ]
+        """Return the results of all items in their order, once no block is pending.
+
+        Raises
+        ------
+        MuyscError
+            If a block cannot be read.
+        """
+        found = []
+        for block in self._blocks():
+            results = self._read(block)
+            if results is None:
+                raise MuyscError(
+                    f"{self._path(block)} cannot be read any more; run again to compute it anew."
+                )
+            found += results
+        return found
 
 
 def remove_finished(folder: Path) -> None:

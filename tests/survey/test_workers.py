@@ -96,6 +96,18 @@ def test_when_all_workers_die_finished_blocks_are_kept(job, alone, tmp_path):
     assert "were finished by an earlier run" in said[0]
 
 
+@pytest.mark.parametrize("damage", [b"", b"\xff\0", b"[[1.5, 2", b"{}"])
+def test_damaged_blocks_are_computed_again(job, alone, tmp_path, damage):
+    folder = tmp_path / "kept.partial"
+    assert run_job(job, folder, workers=0) == alone
+    (folder / "block_000001.json").write_bytes(damage)
+    with pytest.raises(MuyscError, match=r"block_000001\.json cannot be read any more; run again"):
+        BlockFolder(folder, job).results()
+    assert run_job(job, folder, workers=0) == alone
+    (folder / "fingerprint.txt").write_bytes(b"\xff")
+    assert BlockFolder(folder, job).pending() == [0, 1, 2]
+
+
 def test_cancelling_leaves_no_process(job, tmp_path):
     before = set(children())
     begun = []
