@@ -35,8 +35,12 @@ def ground_below(
 
     Parameters
     ----------
-    grid
+    grid, frame
         The volume in the CRS of the frame.
+    dem
+        Terrain over the whole volume.
+    progress
+        Told the share done.
 
     Raises
     ------
@@ -50,7 +54,7 @@ def ground_below(
         math.ceil((end - first) / width - 1e-9) + 1
         for first, width, end in zip(low, step, grid.end_m[:2])
     ]
-    parts = _points_per_node(grid, frame, dem, step)
+    parts = _points_per_node(frame, dem, step)
     offsets = ((np.arange(parts) + 0.5) / parts - 0.5) * (parts > 1)
     east = low[0] + step[0] * (np.arange(counts[0])[:, None] + offsets).ravel()
     height = np.empty(counts)
@@ -105,9 +109,7 @@ def _nodes(
     return (grid.origin_m[0], grid.origin_m[1]), (steps[0], steps[1])
 
 
-def _points_per_node(
-    grid: VoxelGrid, frame: VolumeFrame, dem: Dem, step: tuple[float, float]
-) -> int:
+def _points_per_node(frame: VolumeFrame, dem: Dem, step: tuple[float, float]) -> int:
     """Return how many points of a fine DEM are averaged along each side of a node's cell."""
     return max(1, math.ceil(0.5 * max(step) / _cell_m(frame, dem)))
 
