@@ -11,15 +11,11 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..muogram import Described, Muogram
+from ..radiography.spectra import MODELS
 
 #: How the values of FLUX_MODEL and ENERGY_LOSS are written in text.
 _NAMES = {
-    "gaisser": "Gaisser",
-    "gaisser-tang": "Gaisser–Tang",
-    "bugaev": "Bugaev",
-    "reyna-bugaev": "Reyna–Bugaev",
-    "reyna-hebbeker": "Reyna–Hebbeker",
-    "guan": "Guan",
+    **{name: model.title for name, model in MODELS.items()},
     "csda": "tabulated CSDA",
     "lesparre": "Lesparre",
     "paper": "MUYSC paper",
