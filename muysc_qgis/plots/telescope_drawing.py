@@ -26,60 +26,78 @@ def draw_telescope(axes: Axes, geometry: TelescopeGeometry) -> None:
 
     The muon flies from the front plane, which looks at the mountain, to the back plane.
     """
-    width = geometry.bars_x * geometry.pixel_size_cm
-    height = geometry.bars_y * geometry.pixel_size_cm
-    depth = geometry.separation_cm
-
-    def seen(right: float, up: float, forward: float) -> np.ndarray:
-        return np.asarray(right * _RIGHT + up * _UP + forward * _FORWARD)
-
-    distances = np.linspace(0, depth, geometry.planes)
-    pixel = geometry.pixel_size_cm
     # Off the axis, so that the bars crossed can be told.
     back = _pixel_middle(geometry, 0.3, 0.35)
     front = _pixel_middle(geometry, 0.75, 0.7)
-    order = np.argsort(-distances)
-    for distance in distances[order]:
-        share = distance / depth
-        hit = (
-            back[0] + share * (front[0] - back[0]),
-            back[1] + share * (front[1] - back[1]),
-        )
-        corners = [
-            seen(x, y, distance)
-            for x, y in (
-                (-width / 2, -height / 2), (width / 2, -height / 2),
-                (width / 2, height / 2), (-width / 2, height / 2),
-            )
-        ]  # fmt: skip
-        outer = distance in (distances[0], distances[-1])
-        axes.fill(*np.array(corners).T, facecolor="#eef3f7", edgecolor=style.INK,
-                  linewidth=0.9, alpha=0.92 if outer else 0.6, zorder=2 - share)  # fmt: skip
-        for count, size, vertical in (
-            (geometry.bars_x, width, True), (geometry.bars_y, height, False),
-        ):  # fmt: skip
-            for line in np.linspace(-size / 2, size / 2, min(count, _BARS_DRAWN) + 1)[1:-1]:
-                ends = (
-                    [seen(line, -height / 2, distance), seen(line, height / 2, distance)]
-                    if vertical
-                    else [seen(-width / 2, line, distance), seen(width / 2, line, distance)]
-                )
-                axes.plot(*np.array(ends).T, color=style.MUTED, linewidth=0.25, alpha=0.5,
-                          zorder=2 - share + 0.01)  # fmt: skip
+    for number in reversed(range(geometry.planes)):
+        outer = number in (0, geometry.planes - 1)
+        share = number / (geometry.planes - 1)
+        # Nearer ones hide those behind.
+        distance, order = share * geometry.separation_cm, 2 - share
+        _draw_plane(axes, geometry, distance, 0.92 if outer else 0.6, order)
         if outer:
-            axes.plot(*seen(*hit, distance), marker="o", markersize=4.5, color=style.RAY,
-                      zorder=6)  # fmt: skip
-            square = [
-                seen(hit[0] + a * pixel / 2, hit[1] + b * pixel / 2, distance)
-                for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))
-            ]
-            axes.fill(*np.array(square).T, facecolor=style.RAY, edgecolor="none",
-                      zorder=2 - share + 0.02)  # fmt: skip
-    _draw_muon(axes, seen, back, front, depth)
-    _write_sizes(axes, geometry, seen)
+            _draw_pixel(axes, back if number == 0 else front, distance, geometry, order + 0.02)
+    _draw_muon(axes, back, front, geometry.separation_cm)
+    _write_sizes(axes, geometry)
     axes.set_aspect("equal")
     axes.axis("off")
     axes.margins(0.04)
+
+
+def _seen(right: float, up: float, forward: float) -> np.ndarray:
+    """Return where on the page a point of the telescope is seen, (2,)."""
+    return np.asarray(right * _RIGHT + up * _UP + forward * _FORWARD)
+
+
+def _rectangle(
+    middle: tuple[float, float], width: float, height: float, forward: float
+) -> np.ndarray:
+    """Return the corners of a rectangle across the telescope as they are seen, (2, 4)."""
+    across, up = middle
+    return np.array(
+        [
+            _seen(across + a * width / 2, up + b * height / 2, forward)
+            for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        ]
+    ).T
+
+
+def _draw_plane(
+    axes: Axes, geometry: TelescopeGeometry, distance: float, opacity: float, order: float
+) -> None:
+    """Draw a plane with its bars."""
+    width = geometry.bars_x * geometry.pixel_size_cm
+    height = geometry.bars_y * geometry.pixel_size_cm
+    axes.fill(*_rectangle((0, 0), width, height, distance), facecolor="#eef3f7",
+              edgecolor=style.INK, linewidth=0.9, alpha=opacity, zorder=order)  # fmt: skip
+    bars = [
+        [_seen(x, -height / 2, distance), _seen(x, height / 2, distance)]
+        for x in _between_bars(geometry.bars_x, width)
+    ] + [
+        [_seen(-width / 2, y, distance), _seen(width / 2, y, distance)]
+        for y in _between_bars(geometry.bars_y, height)
+    ]
+    for ends in bars:
+        axes.plot(*np.array(ends).T, color=style.MUTED, linewidth=0.25, alpha=0.5,
+                  zorder=order + 0.01)  # fmt: skip
+
+
+def _between_bars(count: int, size: float) -> np.ndarray:
+    return np.linspace(-size / 2, size / 2, min(count, _BARS_DRAWN) + 1)[1:-1]
+
+
+def _draw_pixel(
+    axes: Axes,
+    middle: tuple[float, float],
+    distance: float,
+    geometry: TelescopeGeometry,
+    order: float,
+) -> None:
+    """Draw a pixel that the muon meets."""
+    pixel = geometry.pixel_size_cm
+    axes.plot(*_seen(*middle, distance), marker="o", markersize=4.5, color=style.RAY, zorder=6)
+    axes.fill(*_rectangle(middle, pixel, pixel, distance), facecolor=style.RAY, edgecolor="none",
+              zorder=order)  # fmt: skip
 
 
 def _pixel_middle(geometry: TelescopeGeometry, across: float, up: float) -> tuple[float, float]:
@@ -92,14 +110,14 @@ def _pixel_middle(geometry: TelescopeGeometry, across: float, up: float) -> tupl
     return one(geometry.bars_x, across), one(geometry.bars_y, up)
 
 
-def _draw_muon(axes: Axes, seen, back, front, depth) -> None:  # type: ignore[no-untyped-def]
+def _draw_muon(
+    axes: Axes, back: tuple[float, float], front: tuple[float, float], depth: float
+) -> None:
     def point(share: float) -> np.ndarray:
-        return np.asarray(
-            seen(
-                back[0] + share * (front[0] - back[0]),
-                back[1] + share * (front[1] - back[1]),
-                share * depth,
-            )
+        return _seen(
+            back[0] + share * (front[0] - back[0]),
+            back[1] + share * (front[1] - back[1]),
+            share * depth,
         )
 
     start, end = point(1.28), point(-0.22)
@@ -115,22 +133,22 @@ def _draw_muon(axes: Axes, seen, back, front, depth) -> None:  # type: ignore[no
     )  # fmt: skip
 
 
-def _write_sizes(axes: Axes, geometry: TelescopeGeometry, seen) -> None:  # type: ignore[no-untyped-def]
+def _write_sizes(axes: Axes, geometry: TelescopeGeometry) -> None:
     width = geometry.bars_x * geometry.pixel_size_cm
     height = geometry.bars_y * geometry.pixel_size_cm
     gap = 0.07 * max(width, height)
     down = -height / 2 - gap
     for ends, text, place in (
         (
-            [seen(width / 2, down, 0), seen(width / 2, down, geometry.separation_cm)],
+            [_seen(width / 2, down, 0), _seen(width / 2, down, geometry.separation_cm)],
             f"{ticks.number_label(geometry.separation_cm)} cm", (6, -9),
         ),
         (
-            [seen(-width / 2, down, 0), seen(width / 2, down, 0)],
+            [_seen(-width / 2, down, 0), _seen(width / 2, down, 0)],
             f"{ticks.number_label(round(width, 6))} cm", (-10, -12),
         ),
         (
-            [seen(-width / 2 - gap, -height / 2, 0), seen(-width / 2 - gap, height / 2, 0)],
+            [_seen(-width / 2 - gap, -height / 2, 0), _seen(-width / 2 - gap, height / 2, 0)],
             f"{ticks.number_label(round(height, 6))} cm", (-4, 0),
         ),
     ):  # fmt: skip
