@@ -192,18 +192,8 @@ def expected_counts(
         **describe_sight(sight, max_range_m, near_field_m),
         **describe_physics(physics),
         **describe_telescope(geometry, formula),
-        "BORESIGHT_AZIMUTH": pointing.azimuth_deg,
-        "BORESIGHT_ELEVATION": pointing.elevation_deg,
-        "ROLL": pointing.roll_deg,
-        "TARGET_AZIMUTH": sight.boresight_azimuth_deg,
-        "TARGET_ELEVATION_ANGLE": sight.boresight_elevation_deg,
-        "DAYS": plan.days,
-        "MUONS": plan.muons,
-        "SIGMA": plan.sigma,
-        "CONTRAST": plan.contrast_percent,
-        "STATISTICS": plan.statistics,
-        "EFFICIENCY": plan.efficiency,
-        "MERGE": float(plan.merge),
+        **_describe_aim(sight, pointing),
+        **_describe_plan(plan),
     }
     x = geometry.step * merged_offsets(geometry.bars_x, plan.merge)
     y = geometry.step * merged_offsets(geometry.bars_y, plan.merge)[::-1]
@@ -222,6 +212,30 @@ def expected_counts(
         thickness.size,
         grid,
     )
+
+
+def _describe_aim(sight: Sight, pointing: Pointing) -> dict[str, str | float]:
+    """Return the metadata that say where the telescope points, and where the target is; degrees."""
+    return {
+        "BORESIGHT_AZIMUTH": pointing.azimuth_deg,
+        "BORESIGHT_ELEVATION": pointing.elevation_deg,
+        "ROLL": pointing.roll_deg,
+        "TARGET_AZIMUTH": sight.boresight_azimuth_deg,
+        "TARGET_ELEVATION_ANGLE": sight.boresight_elevation_deg,
+    }
+
+
+def _describe_plan(plan: CountingPlan) -> dict[str, str | float]:
+    """Return the metadata that say how long is counted and what is to be seen."""
+    return {
+        "DAYS": plan.days,
+        "MUONS": plan.muons,
+        "SIGMA": plan.sigma,
+        "CONTRAST": plan.contrast_percent,
+        "STATISTICS": plan.statistics,
+        "EFFICIENCY": plan.efficiency,
+        "MERGE": float(plan.merge),
+    }
 
 
 def _all_sky(rock_share: np.ndarray) -> tuple[str, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -129,11 +130,9 @@ def projection_for(dem: Dem, longitude: float, latitude: float) -> CRS:
         WGS 84 degrees of the place where lengths count.
     """
     crs = dem.crs
-    if crs.is_projected and all(axis.unit_conversion_factor == 1 for axis in crs.axis_info[:2]):
-        try:
+    if _in_metres(crs):
+        with contextlib.suppress(MuyscError):
             return VolumeFrame.around(crs, from_wgs84(crs, longitude, latitude)).crs
-        except MuyscError:
-            return utm_zone(longitude, latitude)
     return utm_zone(longitude, latitude)
 
 
@@ -155,7 +154,7 @@ def chosen_projection(definition: str, name: str) -> CRS:
     from pyproj import CRS
 
     crs = CRS.from_user_input(definition)
-    if not crs.is_projected or any(axis.unit_conversion_factor != 1 for axis in crs.axis_info[:2]):
+    if not _in_metres(crs):
         raise MuyscError(
             f"The coordinate reference system {name} ({crs.name}) is no projection in metres, "
             "which voxels need; choose a projected one such as a UTM zone, or leave it empty."
@@ -169,6 +168,12 @@ def utm_zone(longitude: float, latitude: float) -> CRS:
 
     zone = int((longitude + 180.0) % 360.0 // 6) + 1
     return CRS.from_epsg((32600 if latitude >= 0 else 32700) + zone)
+
+
+def _in_metres(crs: CRS) -> bool:
+    """Return whether a CRS is a projection in metres."""
+    units = [axis.unit_conversion_factor for axis in crs.axis_info[:2]]
+    return crs.is_projected and all(unit == 1 for unit in units)
 
 
 def _stretch(crs: CRS, place: tuple[float, float]) -> np.ndarray:
