@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessingContext,
@@ -19,11 +19,14 @@ from ..muysc_qgis.telescope.acceptance import trajectories
 from ..muysc_qgis.telescope.geometry import TelescopeGeometry
 from ..muysc_qgis.trajectories import maps_of
 from .base import MuyscAlgorithm
-from .outputs.documents import destination, document_outputs, stage_drawn
+from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import raster_outputs
 from .outputs.trajectories import AXES, stage_trajectories, table_output
 from .parameters.telescope import geometry_parameters, read_geometry
 from .parameters.values import explained
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 #: Quantity by output.
 _OUTPUTS = {
@@ -105,15 +108,12 @@ class Telescope(MuyscAlgorithm):
         maps = maps_of(collected, inputs.name)
         results = stage_trajectories(self, _OUTPUTS, maps, parameters, context, staging)
         feedback.setProgress(50)
-        comparison = destination(self, parameters, _COMPARISON, context, ".png")
-        # Staged in one go: the picture of all telescopes beside the panel and the report.
         results |= stage_drawn(
             self, lambda: _drawing().panel(collected, inputs.name),
             lambda provenance: _drawing().report(collected, inputs.name, inputs.notes, provenance),
             results, parameters, context, feedback, staging, (),
+            {_COMPARISON: lambda: _comparison(inputs)},
         )  # fmt: skip
-        if comparison is not None:
-            results |= self._stage_comparison(comparison, inputs, feedback, staging)
         across, up = inputs.geometry.half_aperture_deg
         return results | {
             "MAX_ACCEPTANCE": collected.acceptance_cm2_sr.max(),
@@ -126,23 +126,11 @@ class Telescope(MuyscAlgorithm):
             "ETENDUE": collected.etendue_cm2_sr,
         }
 
-    @staticmethod
-    def _stage_comparison(
-        path: str, inputs: _Inputs, feedback: QgsProcessingFeedback, staging: Staging
-    ) -> dict[str, str]:
-        try:
-            from ..muysc_qgis.plots.style import save_png
-            from ..muysc_qgis.plots.telescope_comparison import comparison_panel
 
-            figure = comparison_panel(inputs.geometry, inputs.name, inputs.formula)
-            save_png(figure, staging.add(path))
-        except ImportError as error:
-            feedback.pushWarning(
-                f"The comparison needs the Python library {error.name}, which is missing; "
-                "everything else was written without it."
-            )
-            return {}
-        return {_COMPARISON: path}
+def _comparison(inputs: _Inputs) -> Figure:
+    from ..muysc_qgis.plots.telescope_comparison import comparison_panel
+
+    return comparison_panel(inputs.geometry, inputs.name, inputs.formula)
 
 
 def _drawing() -> ModuleType:

@@ -24,7 +24,7 @@ from ..muysc_qgis.workflows.volume_plan import VolumePlan
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import wanted
-from .outputs.section import Line, read_line, section_line, section_output, stage_section
+from .outputs.section import Line, read_line, section_line, section_output, section_pictures
 from .outputs.volume import stage_volumes, volume_outputs, write_voxels
 from .parameters.muograms import muogram_layers, read_view_layers
 from .parameters.reconstruction import read_reconstruction, reconstruction_parameters
@@ -144,7 +144,6 @@ class TomographyAlgorithm(MuyscAlgorithm):
         files = (parameters, context)
         staged = (staging, inputs.paths)
         results = stage_volumes(self, result, *files, *staged)
-        results |= stage_section(self, result, inputs.dem, inputs.line, *files, feedback, *staged)
         results |= stage_drawn(
             self,
             lambda: _drawing().panel(result, inputs.dem),
@@ -157,6 +156,7 @@ class TomographyAlgorithm(MuyscAlgorithm):
                 line_m=inputs.line,
             ),
             results, *files, feedback, *staged,
+            section_pictures(result, inputs.dem, inputs.line),
         )  # fmt: skip
         results |= write_voxels(self, result, *files, staging)
         return results | _numbers(result)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
-from types import ModuleType
+from types import MappingProxyType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from osgeo import gdal
@@ -32,8 +33,6 @@ if TYPE_CHECKING:
 
     from ...muysc_qgis.plots.provenance import Provenance
     from ...muysc_qgis.plots.report import Report
-
-_SUFFIXES = {"PANEL": ".png", "REPORT": ".html"}
 
 
 def document_outputs(
@@ -97,13 +96,17 @@ def stage_drawn(
     feedback: QgsProcessingFeedback,
     staging: Staging,
     inputs: tuple[str, ...],
+    further: Mapping[str, Callable[[], Figure]] = MappingProxyType({}),
 ) -> dict[str, str]:
     """Draw and stage panel and report where wanted; return files by output name.
 
-    `panel` draws; `report` takes what the run was made from. What a missing library keeps from
-    being drawn is left out with a warning, and everything else is written all the same.
+    `panel` draws, as `further` pictures do by output name; `report` takes what the run was made
+    from. What a missing library keeps from being drawn is left out with a warning, and everything
+    else is written all the same.
     """
     pictures: list[bytes] = []
+    results: dict[str, str] = {}
+    left_out = {}
 
     def write_the_report(path: Path) -> None:
         from ...muysc_qgis.plots.provenance import Provenance
@@ -111,7 +114,7 @@ def stage_drawn(
 
         provenance = Provenance(
             [Row(*row) for row in told(algorithm, parameters, context)],
-            _files(algorithm, parameters, written),
+            _files(algorithm, parameters, {**written, **results}),
             QDateTime.currentDateTime().toString("yyyy-MM-dd HH:mm"),
             {"QGIS": Qgis.QGIS_VERSION, "GDAL": gdal.__version__},
         )
@@ -120,14 +123,17 @@ def stage_drawn(
         write_report(path, content)
 
     def write_the_panel(path: Path) -> None:
-        from ...muysc_qgis.plots.style import png_bytes
-
         # The report may hold it already: drawing takes longer than all else.
-        path.write_bytes(pictures[0] if pictures else png_bytes(panel()))
+        if pictures:
+            path.write_bytes(pictures[0])
+        else:
+            _write_picture(panel, path)
 
-    results, left_out = {}, {}
-    for name, write in (("REPORT", write_the_report), ("PANEL", write_the_panel)):
-        path = destination(algorithm, parameters, name, context, _SUFFIXES[name])
+    writers = {name: partial(_write_picture, draw) for name, draw in further.items()}
+    writers |= {"REPORT": write_the_report, "PANEL": write_the_panel}
+    for name, write in writers.items():
+        suffix = ".html" if name == "REPORT" else ".png"
+        path = destination(algorithm, parameters, name, context, suffix)
         if path is None:
             continue
         temporary = staging.add(path, inputs)
@@ -144,6 +150,12 @@ def stage_drawn(
             "everything else was written."
         )
     return results
+
+
+def _write_picture(draw: Callable[[], Figure], path: Path) -> None:
+    from ...muysc_qgis.plots.style import png_bytes
+
+    path.write_bytes(png_bytes(draw()))
 
 
 def _missing_for(write: Callable[[Path], None], path: Path) -> str | None:

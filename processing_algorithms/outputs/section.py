@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -12,19 +12,19 @@ from qgis.core import (
     QgsFeature,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
-    QgsProcessingFeedback,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFileDestination,
 )
 
 from ...muysc_qgis.errors import MuyscError
-from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.topography.dem import Dem
 from ...muysc_qgis.workflows.tomography_result import Tomography
 from ..compat import VECTOR_LINE
 from ..parameters.values import explained, given
-from .documents import destination
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 LINE, SECTION = "SECTION_LINE", "SECTION"
 
@@ -95,32 +95,17 @@ def read_line(
     return points
 
 
-def stage_section(
-    algorithm: QgsProcessingAlgorithm,
-    result: Tomography,
-    dem: Dem,
-    line: Line | None,
-    parameters: dict[str, Any],
-    context: QgsProcessingContext,
-    feedback: QgsProcessingFeedback,
-    staging: Staging,
-    inputs: tuple[str, ...],
-) -> dict[str, str]:
-    """Draw and stage the section if it is wanted; return its file by output name."""
-    path = destination(algorithm, parameters, SECTION, context, ".png")
-    if path is None or line is None:
+def section_pictures(
+    result: Tomography, dem: Dem, line: Line | None
+) -> dict[str, Callable[[], Figure]]:
+    """Return what draws the section by output name, nothing without a line."""
+    if line is None:
         return {}
-    try:
-        from ...muysc_qgis.plots.style import png_bytes
+
+    def section() -> Figure:
         from ...muysc_qgis.plots.tomography.documents import terrain
         from ...muysc_qgis.plots.tomography.section_picture import section_figure
 
-        png = png_bytes(section_figure(result, line, terrain(result, dem)))
-    except ImportError as error:
-        feedback.pushWarning(
-            f"The section needs the Python library {error.name}, which is missing; the rasters "
-            "were written without it."
-        )
-        return {}
-    staging.add(path, inputs).write_bytes(png)
-    return {SECTION: path}
+        return section_figure(result, line, terrain(result, dem))
+
+    return {SECTION: section}
