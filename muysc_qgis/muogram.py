@@ -103,11 +103,7 @@ class Muogram(View):
     metadata: Mapping[str, str | float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        if self.quantity not in QUANTITIES:
-            raise MuyscError(
-                f"“{self.quantity}” is not a quantity of a muogram; use one of "
-                f"{', '.join(QUANTITIES)}."
-            )
+        _check_quantity(self.quantity)
         shape = (len(self.elevation_deg), len(self.azimuth_deg))
         if self.values.shape != shape:
             raise MuyscError(
@@ -134,6 +130,14 @@ class Muogram(View):
         """Return another quantity on the same directions, `metadata` added."""
         return replace(
             self, quantity=quantity, values=values, metadata={**self.metadata, **metadata}
+        )
+
+
+def _check_quantity(quantity: str) -> None:
+    """Refuse what is no key of `QUANTITIES`."""
+    if quantity not in QUANTITIES:
+        raise MuyscError(
+            f"“{quantity}” is not a quantity of a muogram; use one of {', '.join(QUANTITIES)}."
         )
 
 
@@ -266,8 +270,9 @@ def read_grid(path: str | Path) -> Grid:
     Raises
     ------
     MuyscError
-        If the file is not a raster, holds more than one band, is rotated, lacks
-        the metadata that says what it holds, or has pixels that are no directions.
+        If the file is not a raster, holds more than one band or another quantity, is
+        rotated, lacks the metadata that says what it holds, or has pixels that are no
+        directions.
     """
     from osgeo import gdal
 
@@ -289,6 +294,8 @@ def read_grid(path: str | Path) -> Grid:
             f"{path} has {dataset.RasterCount} bands where a muogram has 1; "
             "choose a raster made by a MUYSC algorithm."
         )
+    # First what it holds: a volume of one slice has no directions either.
+    _check_quantity(quantity)
     left, step_x, skew_x, top, skew_y, step_y = dataset.GetGeoTransform()
     if skew_x or skew_y or step_x <= 0 or step_y >= 0:
         raise MuyscError(
