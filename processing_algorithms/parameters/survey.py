@@ -22,7 +22,7 @@ from ...muysc_qgis.workflows.site_selection import Wanted
 from ..compat import VECTOR_LINE, VECTOR_POINT
 from .sites import placed, point_source, points_of, transform_to
 from .terrain import raster_layer
-from .values import explained, given, number, read_count, read_number
+from .values import explained, given, number, read_count, read_number, read_optional
 
 
 def candidate_parameters() -> list[QgsProcessingParameterDefinition]:
@@ -164,13 +164,13 @@ def read_search(
         If a value or a layer cannot be used.
     """
     read = (algorithm, parameters)
-    nearest, farthest, spacing, slope, above, below, road = (
+    nearest, farthest, spacing, slope, road = (
         read_number(*read, name, context)
-        for name in (
-            "MIN_DISTANCE", "MAX_DISTANCE", "SPACING", "MAX_SLOPE", "ABOVE_TARGET", "BELOW_TARGET",
-            "ROAD_DISTANCE",
-        )
-    )  # fmt: skip
+        for name in ("MIN_DISTANCE", "MAX_DISTANCE", "SPACING", "MAX_SLOPE", "ROAD_DISTANCE")
+    )
+    above, below = (
+        read_optional(*read, name, context) for name in ("ABOVE_TARGET", "BELOW_TARGET")
+    )
     points, roads, mask = None, None, None
     notes: list[str] = []
     if given(parameters, "CANDIDATES"):
@@ -182,10 +182,8 @@ def read_search(
     if given(parameters, "MASK"):
         raster = raster_layer(*read, "MASK", context)
         mask = (raster.source(), raster.crs().toWkt())
-    limits = Limits(
-        nearest or 0.0, farthest or 0.0, slope, above, below, road if roads is not None else None
-    )
-    return Search(dem, target, limits, spacing or 0.0, points, roads, mask), notes
+    limits = Limits(nearest, farthest, slope, above, below, road if roads is not None else None)
+    return Search(dem, target, limits, spacing, points, roads, mask), notes
 
 
 def read_wanted(
@@ -201,9 +199,9 @@ def read_wanted(
     read = (algorithm, parameters)
     return Wanted(
         read_count(*read, "SITES_WANTED", context),
-        read_number(*read, "SITES_APART", context) or 0.0,
+        read_number(*read, "SITES_APART", context),
         read_count(*read, "TELESCOPES", context),
-        read_number(*read, "COVERED_ANGLE", context),
+        read_optional(*read, "COVERED_ANGLE", context),
     )
 
 
@@ -241,10 +239,10 @@ def _read_roads(
     segments: list[tuple[float, ...]] = []
     for feature in source.getFeatures():
         geometry = feature.geometry()
-        # Curves come as straight pieces.
-        lines = geometry.asMultiPolyline() if geometry.isMultipart() else [geometry.asPolyline()]
-        for line in lines:
-            points = placed(line, to_dem)
+        # A feature without a geometry has no part; curves come as straight pieces.
+        for part in geometry.constParts():
+            line = part.segmentize()
+            points = placed(line.vertices(), to_dem)
             segments += [
                 (*start, *end)
                 for start, end in zip(points, points[1:])

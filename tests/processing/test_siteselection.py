@@ -162,12 +162,12 @@ def test_other_parameters_start_anew(run, survey, recorder, feedback):
 
 
 def write_lines(path, lines):
-    """Write a GeoJSON of lines given by longitude and latitude."""
+    """Write a GeoJSON of lines given by longitude and latitude; None is no geometry."""
     features = [
         {
             "type": "Feature",
             "properties": {},
-            "geometry": {"type": "LineString", "coordinates": line},
+            "geometry": line and {"type": "LineString", "coordinates": line},
         }
         for line in lines
     ]
@@ -176,7 +176,7 @@ def write_lines(path, lines):
 
 
 def test_roads_and_mask_leave_what_is_near_and_inside(run, everything, tmp_path, feedback):
-    road = write_lines(tmp_path / "road.geojson", [[[14.40, 40.80], [14.40, 40.85]]])
+    road = write_lines(tmp_path / "road.geojson", [None, [[14.40, 40.80], [14.40, 40.85]]])
     mask = str(tmp_path / "mask.tif")
     dataset = gdal.GetDriverByName("GTiff").Create(mask, 2, 2, 1, gdal.GDT_Byte)
     dataset.SetGeoTransform((14.35, 0.1, 0, 40.823729, 0, -0.1))
