@@ -14,6 +14,8 @@ from .spectra import MODELS
 
 #: Densest matter accepted, g/cm³; osmium, the densest element, has 22.6.
 MAXIMUM_DENSITY_G_CM3 = 30.0
+#: Thinnest, a thousandth of air's: metres of less are no numbers any more.
+_MINIMUM_DENSITY_G_CM3 = 1e-6
 
 #: Detection thresholds in GeV are below this.
 MAXIMUM_THRESHOLD_GEV = 1e5
@@ -63,11 +65,12 @@ class Physics:
         _check_name("flux model", self.flux_model, MODELS)
         _check_name("set of Gaisser parameters", self.gaisser_parameters, GAISSER_PARAMETERS)
         _check_name("energy loss", self.energy_loss, ENERGY_LOSSES)
-        if self.density_g_cm3 is not None and not 0 < self.density_g_cm3 <= MAXIMUM_DENSITY_G_CM3:
+        density = self.density_g_cm3
+        if density is not None and not _MINIMUM_DENSITY_G_CM3 <= density <= MAXIMUM_DENSITY_G_CM3:
             raise MuyscError(
-                f"A density of {self.density_g_cm3:g} g/cm³ is not that of any matter; give "
-                f"one above 0 and up to {MAXIMUM_DENSITY_G_CM3:g} g/cm³, or none for the "
-                "material's own."
+                f"A density of {density:g} g/cm³ is not that of any matter; give one above 0, "
+                f"{_MINIMUM_DENSITY_G_CM3:g} at least, and up to {MAXIMUM_DENSITY_G_CM3:g} g/cm³, "
+                "or none for the material's own."
             )
         if not 0 <= self.detection_threshold_gev < MAXIMUM_THRESHOLD_GEV:
             raise MuyscError(

@@ -44,7 +44,7 @@ def test_unknown_names_list_the_choices(field, choices, value):
     assert all(choice in str(caught.value) for choice in choices)
 
 
-@pytest.mark.parametrize("density", [0.0, -2.65, np.nan, np.inf, 2650.0, 30.1])
+@pytest.mark.parametrize("density", [0.0, 5e-324, 9e-7, -2.65, np.nan, np.inf, 2650.0, 30.1])
 def test_impossible_densities_are_refused(density):
     with pytest.raises(MuyscError, match=f"{density:g} g/cm³"):
         Physics(density_g_cm3=density)
