@@ -24,7 +24,7 @@ def desktop_modules() -> tuple[ModuleType, ...]:
         "plugin", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
     )
     sys.modules["plugin"] = importlib.util.module_from_spec(spec)
-    names = ("plan", "planner", "muogram_view", "muogram_picture")
+    names = ("plan", "planner", "muogram_view", "muogram_layout")
     return tuple(importlib.import_module(f"plugin.muysc_qgis.gui.{name}") for name in names)
 
 
@@ -57,7 +57,7 @@ def main() -> None:
 
     application = QgsApplication([], True, tempfile.mkdtemp())
     application.initQgis()
-    plans, planners, views, pictures = desktop_modules()
+    plans, planners, views, layouts = desktop_modules()
     layer = QgsRasterLayer(str(DEM), "Vesuvius")
     QgsProject.instance().addMapLayer(layer)
     canvas = QgsMapCanvas()
@@ -75,7 +75,7 @@ def main() -> None:
 
     def paint() -> None:
         preview = planner.preview
-        view.show_scene(pictures.Scene.of(preview.muogram("flux"), preview.muogram("opacity")))
+        view.show_scene(layouts.Scene.of(preview.muogram("flux"), preview.muogram("opacity")))
         view.grab()
 
     rows = [

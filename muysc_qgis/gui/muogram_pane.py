@@ -6,7 +6,7 @@ from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from ..quantities import QUANTITIES
-from .muogram_picture import Scene
+from .muogram_layout import Scene
 from .muogram_view import MuogramView
 from .picture_actions import copy_picture, save_picture
 from .planner import Planner

@@ -2,134 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
-from qgis.PyQt.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
+from qgis.PyQt.QtCore import QLineF, QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import (
     QColor,
     QFont,
     QFontInfo,
     QFontMetricsF,
-    QImage,
     QPainter,
     QPalette,
     QPen,
     QPolygonF,
 )
 
-from ..muogram import Muogram
 from ..plots import ticks
 from ..plots.colours import has_colour
-from ..plots.directions import pixel_edges
 from ..plots.limits import colour_limits
 from ..plots.style import SKY
 from ..quantities import Quantity
-from .colours import UNKNOWN, image_of, picture_of, shades, share_along
+from .colours import UNKNOWN, image_of, shades, share_along
+from .muogram_layout import GAP, TICK, Layout, Scene
 from .texts import tr
-
-#: Sizes as multiples of the height of a line of text.
-_GAP, _TICK, _BAR = 0.3, 0.25, 0.7
-
-#: What fits between the picture and the right edge of the room.
-_MARGIN = "88"
-
-#: Most that the picture is stretched upwards for a wide field of view, and squeezed.
-STRETCH = (0.7, 2.0)
 
 #: Points of the target's star: outer and inner radius in lines of text.
 _STAR = (0.6, 0.25)
 
 #: Side of the frame around a pixel at least (dots).
 _SMALLEST_MARK = 7.0
-
-
-@dataclass(frozen=True)
-class Scene:
-    """What there is to paint."""
-
-    muogram: Muogram
-    #: (n_elevation, n_azimuth), true where the ray meets no rock.
-    sky: np.ndarray
-    #: Azimuth and elevation of the target.
-    target_deg: tuple[float, float]
-    image: QImage
-
-    @classmethod
-    def of(cls, muogram: Muogram, opacity: Muogram) -> Scene:
-        """Return the scene of a muogram; the opacity tells rock from sky."""
-        sky = np.asarray(opacity.values == 0)
-        target = muogram.number("BORESIGHT_AZIMUTH"), muogram.number("BORESIGHT_ELEVATION")
-        return cls(muogram, sky, target, picture_of(muogram.values, muogram.kind, sky))
-
-    @property
-    def limits_deg(self) -> tuple[float, float, float, float]:
-        """Azimuth at the left and right edge, elevation at the lower and upper."""
-        azimuth = pixel_edges(self.muogram.azimuth_deg)
-        elevation = pixel_edges(self.muogram.elevation_deg)
-        return float(azimuth[0]), float(azimuth[-1]), float(elevation[-1]), float(elevation[0])
-
-
-@dataclass(frozen=True)
-class Layout:
-    """Where the parts of a picture stand."""
-
-    #: All that may be painted on.
-    room: QRectF
-    #: The pixels.
-    frame: QRectF
-    #: The colour scale.
-    bar: QRectF
-    #: Azimuth at the left and right edge, elevation at the lower and upper.
-    limits_deg: tuple[float, float, float, float]
-    #: Number of rows and columns of pixels.
-    shape: tuple[int, ...]
-
-    @classmethod
-    def within(cls, room: QRectF, scene: Scene, font: QFont) -> Layout:
-        """Return the layout that fills a room, as far as the angles allow."""
-        metrics = QFontMetricsF(font)
-        line = metrics.height()
-        left, right, low, high = scene.limits_deg
-        widest = max(metrics.horizontalAdvance(text) for text in ("−88", "888"))
-        # The name of the elevation stands upright beside its labels.
-        frame = room.adjusted(
-            widest + line * (1 + _TICK + 2 * _GAP), line * (1 + _GAP),
-            -metrics.horizontalAdvance(_MARGIN), -line * (5 + _BAR + 3 * _TICK + 2 * _GAP),
-        )  # fmt: skip
-        true_height = frame.width() * (high - low) / (right - left)
-        height = min(frame.height(), STRETCH[1] * true_height)
-        if height < STRETCH[0] * true_height:
-            width = height / STRETCH[0] / true_height * frame.width()
-            frame.setLeft(frame.left() + (frame.width() - width) / 2)
-            frame.setWidth(width)
-        frame.setHeight(max(height, 1.0))
-        below = frame.bottom() + line * (2 + _TICK + 2 * _GAP)
-        bar = QRectF(frame.left(), below, frame.width(), line * _BAR)
-        return cls(room, frame, bar, scene.limits_deg, scene.sky.shape)
-
-    def point(self, azimuth_deg: float, elevation_deg: float) -> QPointF:
-        """Return where a direction stands."""
-        left, right, low, high = self.limits_deg
-        return QPointF(
-            self.frame.left() + (azimuth_deg - left) / (right - left) * self.frame.width(),
-            self.frame.bottom() - (elevation_deg - low) / (high - low) * self.frame.height(),
-        )
-
-    def box(self, row: int, column: int) -> QRectF:
-        """Return where a pixel stands, or would stand below or right of the last."""
-        rows, columns = self.shape
-        width, height = self.frame.width() / columns, self.frame.height() / rows
-        corner = self.frame.topLeft() + QPointF(column * width, row * height)
-        return QRectF(corner, QSizeF(width, height))
-
-    def pixel(self, point: QPointF) -> tuple[int, int] | None:
-        """Return row and column of the pixel at a point, None beside the picture."""
-        across = (point.x() - self.frame.left()) / self.frame.width()
-        down = (point.y() - self.frame.top()) / self.frame.height()
-        if not (0 <= across < 1 and 0 <= down < 1):
-            return None
-        return int(down * self.shape[0]), int(across * self.shape[1])
 
 
 def paint(
@@ -210,11 +109,11 @@ def _paint_azimuths(painter: QPainter, layout: Layout) -> None:
     room = metrics.horizontalAdvance("888°") * 1.15
     for azimuth in ticks.angle_ticks(left, right, max(2, int(frame.width() / room))):
         foot = layout.point(azimuth, low)
-        painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
-        _centred(painter, ticks.azimuth_label(azimuth), foot.x(), foot.y() + line * _TICK)
+        painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * TICK)))
+        _centred(painter, ticks.azimuth_label(azimuth), foot.x(), foot.y() + line * TICK)
     _centred(
         painter, tr("Azimuth from north (°)"), frame.center().x(),
-        frame.bottom() + line * (1 + _TICK),
+        frame.bottom() + line * (1 + TICK),
     )  # fmt: skip
     letters = ticks.compass_points(left, right)
     room = metrics.horizontalAdvance("WNW") * 1.3
@@ -232,19 +131,19 @@ def _paint_elevations(painter: QPainter, layout: Layout) -> None:
     widest = 0.0
     for elevation in ticks.angle_ticks(low, high, max(2, int(frame.height() / (1.7 * line)))):
         foot = layout.point(left, elevation)
-        painter.drawLine(QLineF(foot, foot - QPointF(line * _TICK, 0.0)))
+        painter.drawLine(QLineF(foot, foot - QPointF(line * TICK, 0.0)))
         label = ticks.number_label(elevation)
         width = metrics.horizontalAdvance(label)
         widest = max(widest, width)
         painter.drawText(
             QPointF(
-                foot.x() - line * (_TICK + _GAP / 2) - width,
+                foot.x() - line * (TICK + GAP / 2) - width,
                 foot.y() + (metrics.ascent() - metrics.descent()) / 2,
             ),
             label,
         )
     painter.save()
-    painter.translate(frame.left() - line * (1 + _TICK + _GAP) - widest, frame.center().y())
+    painter.translate(frame.left() - line * (1 + TICK + GAP) - widest, frame.center().y())
     painter.rotate(-90)
     _centred(painter, tr("Elevation (°)"), 0.0, 0.0)
     painter.restore()
@@ -266,15 +165,15 @@ def _paint_scale(painter: QPainter, layout: Layout, scene: Scene) -> None:
     every = max(1, int(np.ceil(len(labels) * room / bar.width())))
     for at, label in [*zip(share_along(positions, quantity, limits).tolist(), labels)][::every]:
         foot = QPointF(bar.left() + at * bar.width(), bar.bottom())
-        painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * _TICK)))
-        _centred(painter, label, _inside(painter, layout, label, foot.x()), foot.y() + line * _TICK)
+        painter.drawLine(QLineF(foot, foot + QPointF(0.0, line * TICK)))
+        _centred(painter, label, _inside(painter, layout, label, foot.x()), foot.y() + line * TICK)
     name = quantity_label(quantity)
     painter.save()
     _shrink(painter, name, layout.room.width())
     middle = _inside(painter, layout, name, bar.center().x())
-    _centred(painter, name, middle, bar.bottom() + line * (1 + _TICK))
+    _centred(painter, name, middle, bar.bottom() + line * (1 + TICK))
     painter.restore()
-    _paint_key(painter, QPointF(bar.center().x(), bar.bottom() + line * (2 + 2 * _TICK)), scene)
+    _paint_key(painter, QPointF(bar.center().x(), bar.bottom() + line * (2 + 2 * TICK)), scene)
 
 
 def _paint_key(painter: QPainter, middle: QPointF, scene: Scene) -> None:

@@ -17,7 +17,8 @@ from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
 from ..plots.directions import describe
 from .compat import position_of
-from .muogram_picture import Layout, Scene, paint
+from .muogram_layout import Layout, Scene
+from .muogram_picture import paint
 
 #: Size (dots) of a picture that is copied or saved.
 PICTURE_WIDTH, PICTURE_HEIGHT = 1600, 1200
