@@ -33,7 +33,7 @@ from .outputs.rasters import raster_outputs, stage_muograms, wanted
 from .outputs.trajectories import stage_trajectories
 from .parameters.muograms import read_view_layer
 from .parameters.physics import physics_parameters, read_physics
-from .parameters.values import explained, given, number, read_number
+from .parameters.values import explained, given, number, read_number, read_optional
 
 #: Quantity by output.
 _OUTPUTS = {
@@ -177,7 +177,7 @@ class Density(MuyscAlgorithm):
             )
         thickness = taken("THICKNESS")
         read = (self, parameters)
-        acceptance = read_number(*read, "ACCEPTANCE", context)
+        acceptance = read_optional(*read, "ACCEPTANCE", context)
         if acceptance is not None and given(parameters, "ACCEPTANCES"):
             raise MuyscError(
                 "Both ACCEPTANCE and ACCEPTANCES are given; give one acceptance for all pixels, or "
@@ -187,14 +187,14 @@ class Density(MuyscAlgorithm):
             values,
             muogram("ERROR"),
             muogram("OPEN_SKY_COUNTS"),
-            read_number(*read, "EXPOSURE", context),
-            read_number(*read, "OPEN_SKY_EXPOSURE", context),
+            read_optional(*read, "EXPOSURE", context),
+            read_optional(*read, "OPEN_SKY_EXPOSURE", context),
             muogram("ACCEPTANCES") if acceptance is None else acceptance,
         )
         choices = DensityChoices(
-            (read_number(*read, "MODEL_UNCERTAINTY", context) or 0.0) / 100,
-            read_number(*read, "MINIMUM_COUNTS", context) or 0.0,
-            (read_number(*read, "LIMIT_CONFIDENCE", context) or 0.0) / 100,
+            read_number(*read, "MODEL_UNCERTAINTY", context) / 100,
+            read_number(*read, "MINIMUM_COUNTS", context),
+            read_number(*read, "LIMIT_CONFIDENCE", context) / 100,
             wanted(parameters, "DENSITY_MINIMUM", "DENSITY_MAXIMUM"),
         )
         return _Inputs(
@@ -203,7 +203,7 @@ class Density(MuyscAlgorithm):
             thickness,
             read_physics(self, parameters, context, density=False),
             choices,
-            read_number(*read, "DETECTOR_ELEVATION", context),
+            read_optional(*read, "DETECTOR_ELEVATION", context),
         )
 
     def compute(

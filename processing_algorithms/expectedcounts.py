@@ -36,7 +36,7 @@ from .parameters.telescope import (
     read_pointing,
 )
 from .parameters.terrain import dem_parameters, read_dem
-from .parameters.values import read_number
+from .parameters.values import read_number, read_optional
 from .parameters.view import aperture_parameters, read_sight, sight_parameters
 
 #: Quantity by output.
@@ -117,8 +117,8 @@ class ExpectedCounts(MuyscAlgorithm):
             check_merge(bars, plan.merge)
         dem, layer = read_dem(self, parameters, context)
         sight, notes = read_sight(self, parameters, context, dem, layer)
-        max_range = read_number(self, parameters, "MAX_RANGE", context)
-        near_field = read_number(self, parameters, "NEAR_FIELD", context) or 0.0
+        max_range = read_optional(self, parameters, "MAX_RANGE", context)
+        near_field = read_number(self, parameters, "NEAR_FIELD", context)
         check_range(max_range, near_field)
         return _Inputs(
             self.parameterAsEnumString(parameters, "PRESET", context),

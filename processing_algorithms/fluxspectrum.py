@@ -142,9 +142,9 @@ class FluxSpectrum(MuyscAlgorithm):
         angles = parameters.get("ZENITH_ANGLES")
         if angles is None:
             angles = self.parameterDefinition("ZENITH_ANGLES").defaultValue()
-        thickness = read_number(self, parameters, "THICKNESS", context) or 0.0
+        thickness = read_number(self, parameters, "THICKNESS", context)
         check_thickness(thickness)
-        altitude = read_number(self, parameters, "ALTITUDE", context) or 0.0
+        altitude = read_number(self, parameters, "ALTITUDE", context)
         check_altitude(altitude)
         return _Inputs(
             models,

@@ -42,6 +42,7 @@ from .parameters.values import (
     number,
     read_choice,
     read_number,
+    read_optional,
     switch,
 )
 
@@ -239,7 +240,7 @@ class ImportMuogram(MuyscAlgorithm):
         metadata |= detector
         read = (self, parameters)
         for name, key in _NUMBERS.items():
-            value = read_number(*read, name, context)
+            value = read_optional(*read, name, context)
             if value is not None:
                 _check(name, value)
                 metadata[key] = value
@@ -299,7 +300,7 @@ class ImportMuogram(MuyscAlgorithm):
             for role in ("azimuth", "vertical", "value", "error")
         }
         ends = {
-            f"{which}_{end}": read_number(*read, f"{which}_{end}".upper(), context)
+            f"{which}_{end}": read_optional(*read, f"{which}_{end}".upper(), context)
             for which in ("azimuth", "vertical")
             for end in ("first", "last")
         }
@@ -313,7 +314,7 @@ class ImportMuogram(MuyscAlgorithm):
             azimuth_sense=read_choice(*read, "AZIMUTH_SENSE", context),
             relative=self.parameterAsBool(parameters, "RELATIVE", context),
             factor=factor,
-            no_data=read_number(*read, "NO_DATA", context),
+            no_data=read_optional(*read, "NO_DATA", context),
         )
         return replace(layout, **texts, **ends)
 

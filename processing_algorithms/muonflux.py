@@ -30,7 +30,7 @@ from .parameters.physics import (
     read_telescope,
     telescope_parameters,
 )
-from .parameters.values import explained, given, number, read_number
+from .parameters.values import explained, given, number, read_optional
 
 #: Quantity by output. The inputs have the plain names of thickness and opacity.
 _OUTPUTS = {
@@ -109,12 +109,10 @@ class MuonFlux(MuyscAlgorithm):
                 f"{names[0]} is a muogram of {rock.quantity}; choose one of {names[0].lower()}."
             )
         physics = read_physics(self, parameters, context)
-        altitude = read_number(self, parameters, "DETECTOR_ELEVATION", context)
-        if altitude is None and physics.altitude_correction:
-            altitude = rock.number("DETECTOR_ELEVATION")
-        return _Inputs(
-            path, rock, altitude or 0.0, physics, read_telescope(self, parameters, context)
-        )
+        altitude = read_optional(self, parameters, "DETECTOR_ELEVATION", context)
+        if altitude is None:
+            altitude = rock.number("DETECTOR_ELEVATION") if physics.altitude_correction else 0.0
+        return _Inputs(path, rock, altitude, physics, read_telescope(self, parameters, context))
 
     def compute(
         self,

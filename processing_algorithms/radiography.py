@@ -32,7 +32,7 @@ from .parameters.physics import (
     telescope_parameters,
 )
 from .parameters.terrain import dem_parameters, read_dem
-from .parameters.values import read_number
+from .parameters.values import read_number, read_optional
 from .parameters.view import (
     aperture_parameters,
     read_aperture,
@@ -121,8 +121,8 @@ class Radiography(MuyscAlgorithm):
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Inputs:
         dem, layer = read_dem(self, parameters, context)
         sight, notes = read_sight(self, parameters, context, dem, layer)
-        max_range = read_number(self, parameters, "MAX_RANGE", context)
-        near_field = read_number(self, parameters, "NEAR_FIELD", context) or 0.0
+        max_range = read_optional(self, parameters, "MAX_RANGE", context)
+        near_field = read_number(self, parameters, "NEAR_FIELD", context)
         check_range(max_range, near_field)
         aperture = read_aperture(self, parameters, context)
         aperture.directions(sight.boresight_azimuth_deg, sight.boresight_elevation_deg)

@@ -45,7 +45,7 @@ from .parameters.physics import (
 )
 from .parameters.sites import read_sites, sites_parameters
 from .parameters.terrain import dem_parameters, read_dem
-from .parameters.values import choices, read_choices, read_number
+from .parameters.values import choices, read_choices, read_number, read_optional
 from .parameters.view import (
     aperture_parameters,
     read_aperture,
@@ -115,9 +115,9 @@ class RadiographyAtSites(MuyscAlgorithm):
         read = (self, parameters)
         dem, layer = read_dem(*read, context)
         target, assumed = read_point(*read, "TARGET", context, layer)
-        target_height = read_number(*read, "TARGET_HEIGHT", context) or 0.0
-        max_range = read_number(*read, "MAX_RANGE", context)
-        near_field = read_number(*read, "NEAR_FIELD", context) or 0.0
+        target_height = read_number(*read, "TARGET_HEIGHT", context)
+        max_range = read_optional(*read, "MAX_RANGE", context)
+        near_field = read_number(*read, "NEAR_FIELD", context)
         check_range(max_range, near_field)
         aperture = read_aperture(*read, context)
         quantities = read_choices(*read, "QUANTITIES", context)

@@ -29,7 +29,15 @@ from ..muysc_qgis.tomography.solvers import Options
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.tables import stage_table, table_destination, table_layer
-from .parameters.values import choices, given, number, read_choices, read_count, read_number
+from .parameters.values import (
+    choices,
+    given,
+    number,
+    read_choices,
+    read_count,
+    read_number,
+    read_optional,
+)
 
 
 @dataclass(frozen=True)
@@ -124,14 +132,14 @@ class ReconstructionBenchmark(MuyscAlgorithm):
         size = read_count(self, parameters, "SIZE", context)
         angles = read_count(self, parameters, "ANGLES", context)
         methods = read_choices(self, parameters, "METHODS", context)
-        noise = read_number(self, parameters, "NOISE", context) or 0.0
+        noise = read_number(self, parameters, "NOISE", context)
         check_setting(size, angles, methods, noise)
         options = Options(
             iterations=read_count(self, parameters, "ITERATIONS", context)
             if given(parameters, "ITERATIONS")
             else None,
-            relaxation=read_number(self, parameters, "RELAXATION", context),
-            regularization=read_number(self, parameters, "REGULARIZATION", context),
+            relaxation=read_optional(self, parameters, "RELAXATION", context),
+            regularization=read_optional(self, parameters, "REGULARIZATION", context),
             seed=read_count(self, parameters, "SEED", context),
         )
         return _Inputs(size, angles, methods, options, noise)

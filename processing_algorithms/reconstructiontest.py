@@ -120,7 +120,7 @@ class ReconstructionTest(MuyscAlgorithm):
         choices = read_reconstruction(*read, context, wanted(parameters, "DENSITY_ERROR"))
         dem, layer = read_dem(*read, context)
         target, notes = read_point(*read, "TARGET", context, layer)
-        target_height = read_number(*read, "TARGET_HEIGHT", context) or 0.0
+        target_height = read_number(*read, "TARGET_HEIGHT", context)
         aperture = read_aperture(*read, context)
         physics = read_physics(*read, context, density=False)
         sites, assumed, lost = read_stations(*read, context, dem, layer, target)

@@ -40,7 +40,7 @@ from .parameters.survey import (
     target_body_parameters,
 )
 from .parameters.terrain import dem_parameters, read_dem
-from .parameters.values import read_number
+from .parameters.values import read_number, read_optional
 from .parameters.view import (
     aperture_parameters,
     detector_height_parameter,
@@ -117,33 +117,34 @@ class SiteSelection(MuyscAlgorithm):
         read = (self, parameters)
         dem, layer = read_dem(*read, context)
         target, assumed = read_point(*read, "TARGET", context, layer)
+        max_range = read_optional(*read, "MAX_RANGE", context)
         (
-            max_range, near_field, target_height, detector_height, radius, depth, thin, thick, days,
+            near_field, target_height, detector_height, radius, depth, thin, thick, days,
         ) = (
             read_number(*read, name, context)
             for name in (
-                "MAX_RANGE", "NEAR_FIELD", "TARGET_HEIGHT", "DETECTOR_HEIGHT", "TARGET_RADIUS",
-                "TARGET_DEPTH", "MINIMUM_THICKNESS", "MAXIMUM_THICKNESS", "DAYS",
+                "NEAR_FIELD", "TARGET_HEIGHT", "DETECTOR_HEIGHT", "TARGET_RADIUS", "TARGET_DEPTH",
+                "MINIMUM_THICKNESS", "MAXIMUM_THICKNESS", "DAYS",
             )
         )  # fmt: skip
-        check_range(max_range, near_field or 0.0)
+        check_range(max_range, near_field)
         plan = SurveyPlan(
             dem,
             target,
-            target_height or 0.0,
-            detector_height or 0.0,
+            target_height,
+            detector_height,
             ViewSettings(
                 read_aperture(*read, context),
                 read_physics(*read, context),
                 read_telescope(*read, context),
                 max_range,
-                near_field or 0.0,
+                near_field,
             ),
-            radius or 0.0,
-            depth or 0.0,
-            thin or 0.0,
-            thick or 0.0,
-            days or 0.0,
+            radius,
+            depth,
+            thin,
+            thick,
+            days,
         )
         plan.body()
         search, notes = read_search(*read, context, dem, layer, target)

@@ -66,14 +66,14 @@ def read_campaign(
     read = (algorithm, parameters)
     geometry, formula, notes = read_geometry(*read, context)
     telescope = Telescope(
-        read_number(*read, "ACCEPTANCE", context) or 0.0,
+        read_number(*read, "ACCEPTANCE", context),
         trajectories=None if geometry is None else trajectories(geometry, formula),
         notes=notes,
     )
     return Campaign(
-        read_number(*read, "DAYS", context) or 0.0,
+        read_number(*read, "DAYS", context),
         telescope,
-        read_number(*read, "MINIMUM_COUNTS", context) or 0.0,
+        read_number(*read, "MINIMUM_COUNTS", context),
         algorithm.parameterAsBool(parameters, "NOISE", context),
         read_count(*read, "SEED", context),
     )

@@ -26,7 +26,7 @@ from ...muysc_qgis.topography.dem import Dem
 from ...muysc_qgis.topography.frame import transformed
 from ...muysc_qgis.workflows.known_model import MODELS, KnownModel, Prism
 from ..compat import VECTOR_POLYGON
-from .values import choice, explained, given, number, read_choice, read_number
+from .values import choice, explained, given, number, read_choice, read_number, read_optional
 from .view import read_point
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ def read_model(
     """
     read = (algorithm, parameters)
     kind = read_choice(*read, "MODEL", context)
-    density = read_number(*read, "ROCK_DENSITY", context)
+    density = read_optional(*read, "ROCK_DENSITY", context)
     place = target
     notes: list[str] = []
     if given(parameters, "BODY_POSITION"):
@@ -132,12 +132,12 @@ def read_model(
     model = KnownModel(
         kind=kind,
         density=own_density if density is None else density,
-        body_density=read_number(*read, "BODY_DENSITY", context) or 0.0,
-        radius_m=read_number(*read, "BODY_RADIUS", context) or 0.0,
-        edge_m=read_number(*read, "BODY_EDGE", context) or 0.0,
-        base_m=read_number(*read, "BODY_BASE", context),
-        top_m=read_number(*read, "BODY_TOP", context),
-        middle_m=read_number(*read, "BODY_MIDDLE", context),
+        body_density=read_number(*read, "BODY_DENSITY", context),
+        radius_m=read_number(*read, "BODY_RADIUS", context),
+        edge_m=read_number(*read, "BODY_EDGE", context),
+        base_m=read_optional(*read, "BODY_BASE", context),
+        top_m=read_optional(*read, "BODY_TOP", context),
+        middle_m=read_optional(*read, "BODY_MIDDLE", context),
         centre=(float(x[0]), float(y[0])),
         prisms=prisms,
     )

@@ -22,7 +22,7 @@ from ...muysc_qgis.radiography.spectra import MODELS
 from ...muysc_qgis.telescope.acceptance import trajectories
 from ...muysc_qgis.workflows.simulation import Telescope
 from .telescope import geometry_parameters, read_geometry
-from .values import choice, number, read_choice, read_number, switch
+from .values import choice, number, read_choice, read_number, read_optional, switch
 
 
 def physics_parameters(density: bool = True) -> list[QgsProcessingParameterDefinition]:
@@ -102,16 +102,15 @@ def read_physics(
         If a value cannot be used.
     """
     read = (algorithm, parameters)
-    threshold = read_number(*read, "DETECTION_THRESHOLD", context)
     return Physics(
         material=read_choice(*read, "MATERIAL", context),
-        density_g_cm3=read_number(*read, "DENSITY", context) if density else None,
+        density_g_cm3=read_optional(*read, "DENSITY", context) if density else None,
         flux_model=flux_model or read_choice(*read, "FLUX_MODEL", context),
         gaisser_parameters=read_choice(*read, "GAISSER_PARAMETERS", context),
         energy_loss=read_choice(*read, "ENERGY_LOSS", context),
         straggling=algorithm.parameterAsBool(parameters, "STRAGGLING", context),
         altitude_correction=algorithm.parameterAsBool(parameters, "ALTITUDE_CORRECTION", context),
-        detection_threshold_gev=threshold or 0.0,
+        detection_threshold_gev=read_number(*read, "DETECTION_THRESHOLD", context),
     )
 
 
@@ -145,8 +144,8 @@ def read_telescope(
     """
     geometry, formula, notes = read_geometry(algorithm, parameters, context)
     return Telescope(
-        read_number(algorithm, parameters, "ACCEPTANCE", context) or 0.0,
-        read_number(algorithm, parameters, "MUONS", context) or 0.0,
+        read_number(algorithm, parameters, "ACCEPTANCE", context),
+        read_number(algorithm, parameters, "MUONS", context),
         None if geometry is None else trajectories(geometry, formula),
         notes,
     )

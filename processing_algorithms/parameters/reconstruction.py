@@ -13,7 +13,16 @@ from qgis.core import (
 from ...muysc_qgis.radiography.settings import MAXIMUM_DENSITY_G_CM3
 from ...muysc_qgis.tomography.solvers import METHODS, ORDERINGS, PARALLEL_ONLY, Options, method_of
 from ...muysc_qgis.workflows.tomography import TomographyChoices
-from .values import choice, given, number, read_choice, read_count, read_number, switch
+from .values import (
+    choice,
+    given,
+    number,
+    read_choice,
+    read_count,
+    read_number,
+    read_optional,
+    switch,
+)
 from .volume import read_memory
 
 
@@ -135,36 +144,36 @@ def read_reconstruction(
     """
     read = (algorithm, parameters)
 
-    def number_of(name: str) -> float | None:
-        return read_number(*read, name, context)
+    def optional(name: str) -> float | None:
+        return read_optional(*read, name, context)
 
     def count_of(name: str) -> int | None:
         return read_count(*read, name, context) if given(parameters, name) else None
 
     if parameters.get("METHOD") in PARALLEL_ONLY:
         method_of(parameters["METHOD"])  # says why not
-    error = number_of("RELATIVE_ERROR")
+    error = read_number(*read, "RELATIVE_ERROR", context)
     options = Options(
         iterations=count_of("ITERATIONS"),
-        relaxation=number_of("RELAXATION"),
-        regularization=number_of("REGULARIZATION"),
+        relaxation=optional("RELAXATION"),
+        regularization=optional("REGULARIZATION"),
         ordering=read_choice(*read, "ORDERING", context),
         subsets=count_of("SUBSETS"),
         nonnegative=algorithm.parameterAsBool(parameters, "NONNEGATIVE", context),
-        highest=number_of("HIGHEST_DENSITY"),
-        discrepancy=number_of("DISCREPANCY") or 0.0,
-        edge_density=number_of("EDGE_DENSITY") or 0.0,
-        prior_deviation=number_of("PRIOR_DEVIATION") or 0.0,
-        correlation_length_m=number_of("CORRELATION_LENGTH") or 0.0,
+        highest=optional("HIGHEST_DENSITY"),
+        discrepancy=read_number(*read, "DISCREPANCY", context),
+        edge_density=read_number(*read, "EDGE_DENSITY", context),
+        prior_deviation=read_number(*read, "PRIOR_DEVIATION", context),
+        correlation_length_m=read_number(*read, "CORRELATION_LENGTH", context),
         deviation=errors_wanted,
         posterior_samples=read_count(*read, "POSTERIOR_SAMPLES", context),
     )
     return TomographyChoices(
         method=read_choice(*read, "METHOD", context),
         options=options,
-        reference_density=number_of("REFERENCE_DENSITY"),
+        reference_density=optional("REFERENCE_DENSITY"),
         mask=algorithm.parameterAsBool(parameters, "TERRAIN_MASK", context),
         relative_error=error / 100 if error else None,
-        length_error_m=number_of("LENGTH_ERROR") or 0.0,
+        length_error_m=read_number(*read, "LENGTH_ERROR", context),
         memory_bytes=read_memory(*read, context),
     )

@@ -15,7 +15,7 @@ from ...muysc_qgis.survey.ring import Ring, RingPlaces, ring_places
 from ...muysc_qgis.topography.dem import Dem
 from ...muysc_qgis.workflows.sites import Site, file_stems
 from .sites import read_sites, sites_parameters
-from .values import given, number, read_count, read_number, switch
+from .values import given, number, read_count, read_number, read_optional, switch
 
 
 def stations_parameters() -> list[QgsProcessingParameterDefinition]:
@@ -84,16 +84,16 @@ def read_stations(
     if given(parameters, "SITES"):
         return read_sites(*read, context, layer)
     ring = Ring(
-        read_number(*read, "RING_RADIUS", context) or 0.0,
+        read_number(*read, "RING_RADIUS", context),
         read_count(*read, "RING_SITES", context),
-        read_number(*read, "RING_FROM", context) or 0.0,
-        read_number(*read, "RING_TO", context) or 0.0,
-        read_number(*read, "RING_TOLERANCE", context) or 0.0,
-        read_number(*read, "RING_SLOPE", context),
+        read_number(*read, "RING_FROM", context),
+        read_number(*read, "RING_TO", context),
+        read_number(*read, "RING_TOLERANCE", context),
+        read_optional(*read, "RING_SLOPE", context),
         algorithm.parameterAsBool(parameters, "RING_VIEW", context),
     )
     places = ring_places(dem, target, ring)
-    height = read_number(*read, "DETECTOR_HEIGHT", context) or 0.0
+    height = read_number(*read, "DETECTOR_HEIGHT", context)
     lost = [
         f"{count} of {ring.count} sites of the ring are left out: {why}."
         for why, count in places.missing.items()

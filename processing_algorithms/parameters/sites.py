@@ -73,7 +73,7 @@ def read_sites(
     source = point_source(*read, "SITES", context)
     name_field = _field(*read, "NAME_FIELD", context, source)
     height_field = _field(*read, "HEIGHT_FIELD", context, source)
-    height = read_number(*read, "DETECTOR_HEIGHT", context) or 0.0
+    height = read_number(*read, "DETECTOR_HEIGHT", context)
     to_dem, notes = transform_to(layer, source, "SITES", context)
     # Each point of a multipoint is a site.
     places = [

@@ -16,7 +16,7 @@ from ...muysc_qgis.telescope.geometry import MAXIMUM_BARS, TelescopeGeometry
 from ...muysc_qgis.telescope.planning import STATISTICS, CountingPlan
 from ...muysc_qgis.telescope.presets import CUSTOM, PRESETS, telescope_of
 from ...muysc_qgis.topography.sight import Sight
-from .values import choice, number, read_choice, read_count, read_number
+from .values import choice, number, read_choice, read_count, read_number, read_optional
 
 #: The choice of radiography for an acceptance given as a number.
 NONE = "none"
@@ -104,7 +104,7 @@ def read_geometry(
     formula = read_choice(*read, "FORMULA", context)
     bars_x, bars_y, size, separation, planes = (
         None if algorithm.parameterDefinition(name) is None
-        else read_number(*read, name, context)
+        else read_optional(*read, name, context)
         for name in SIZES
     )  # fmt: skip
     if preset == NONE:
@@ -156,12 +156,12 @@ def read_pointing(
         If an angle cannot be used.
     """
     read = (algorithm, parameters)
-    azimuth = read_number(*read, "BORESIGHT_AZIMUTH", context)
-    elevation = read_number(*read, "BORESIGHT_ELEVATION", context)
+    azimuth = read_optional(*read, "BORESIGHT_AZIMUTH", context)
+    elevation = read_optional(*read, "BORESIGHT_ELEVATION", context)
     return Pointing(
         sight.boresight_azimuth_deg if azimuth is None else azimuth,
         sight.boresight_elevation_deg if elevation is None else elevation,
-        read_number(*read, "ROLL", context) or 0.0,
+        read_number(*read, "ROLL", context),
     )
 
 
@@ -228,7 +228,7 @@ def read_plan(
     """
     read = (algorithm, parameters)
     days, muons, sigma, contrast, efficiency, rays = (
-        read_number(*read, name, context) or 0.0
+        read_number(*read, name, context)
         for name in ("DAYS", "MUONS", "SIGMA", "CONTRAST", "EFFICIENCY", "RAYS_PER_BAR")
     )
     return CountingPlan(

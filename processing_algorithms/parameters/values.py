@@ -93,8 +93,8 @@ def read_number(
     parameters: dict[str, Any],
     name: str,
     context: QgsProcessingContext,
-) -> float | None:
-    """Return a number, None where an optional one is empty.
+) -> float:
+    """Return a number that has a default.
 
     QGIS would take its default for a text that is no number; this refuses it.
 
@@ -103,9 +103,6 @@ def read_number(
     MuyscError
         If the value is no finite number.
     """
-    definition = algorithm.parameterDefinition(name)
-    if not given(parameters, name) and definition.defaultValue() is None:
-        return None
     raw = parameters.get(name)
     value = algorithm.parameterAsDouble(parameters, name, context)
     if isinstance(raw, str):
@@ -114,11 +111,23 @@ def read_number(
         except ValueError:
             value = math.nan
     if not math.isfinite(value):
-        remedy = english_help(definition)
+        remedy = english_help(algorithm.parameterDefinition(name))
         raise MuyscError(
             f"{name} is “{raw}”, which is not a finite number; {remedy[0].lower()}{remedy[1:]}"
         )
     return value
+
+
+def read_optional(
+    algorithm: QgsProcessingAlgorithm,
+    parameters: dict[str, Any],
+    name: str,
+    context: QgsProcessingContext,
+) -> float | None:
+    """Return a number, None where it is empty and has no default; see `read_number`."""
+    if not given(parameters, name) and algorithm.parameterDefinition(name).defaultValue() is None:
+        return None
+    return read_number(algorithm, parameters, name, context)
 
 
 def read_count(
@@ -135,7 +144,7 @@ def read_count(
         If the value is no whole number.
     """
     value = read_number(algorithm, parameters, name, context)
-    if value is None or value != round(value):
+    if value != round(value):
         raise MuyscError(f"{name} is {value}, which is not a whole number; round it.")
     return int(value)
 
@@ -157,7 +166,7 @@ def read_within(
     """
     definition = algorithm.parameterDefinition(name)
     whole = definition.dataType() == QgsProcessingParameterNumber.Type.Integer
-    value = (read_count if whole else read_number)(algorithm, parameters, name, context)
+    value = (read_count if whole else read_optional)(algorithm, parameters, name, context)
     if value is not None and not definition.minimum() <= value <= definition.maximum():
         remedy = english_help(definition).partition(". ")[0].rstrip(".")
         raise MuyscError(f"{name} is {value:g}; {remedy[0].lower()}{remedy[1:]}.")

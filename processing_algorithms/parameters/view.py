@@ -84,8 +84,8 @@ def read_sight(
             dem,
             detector,
             target,
-            read_number(*read, "DETECTOR_HEIGHT", context) or 0.0,
-            read_number(*read, "TARGET_HEIGHT", context) or 0.0,
+            read_number(*read, "DETECTOR_HEIGHT", context),
+            read_number(*read, "TARGET_HEIGHT", context),
         ),
         [*detector_notes, *target_notes],
     )
@@ -168,8 +168,8 @@ def read_aperture(
         If a width or count cannot be used.
     """
     return Aperture(
-        read_number(algorithm, parameters, "AZIMUTH_APERTURE", context) or 0.0,
-        read_number(algorithm, parameters, "ELEVATION_APERTURE", context) or 0.0,
+        read_number(algorithm, parameters, "AZIMUTH_APERTURE", context),
+        read_number(algorithm, parameters, "ELEVATION_APERTURE", context),
         read_count(algorithm, parameters, "AZIMUTH_PIXELS", context),
         read_count(algorithm, parameters, "ELEVATION_PIXELS", context),
     )

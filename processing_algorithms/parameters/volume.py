@@ -16,7 +16,7 @@ from qgis.core import (
 from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.workflows.volume_frame import chosen_projection
 from ...muysc_qgis.workflows.volume_plan import VOXELS, VolumePlan
-from .values import explained, given, number, read_count, read_number, switch
+from .values import explained, given, number, read_count, read_number, read_optional, switch
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -117,10 +117,10 @@ def read_plan(
     read = (algorithm, parameters)
     return VolumePlan(
         _extent(algorithm, parameters, context, crs),
-        read_number(*read, "VOXEL_SIZE", context),
+        read_optional(*read, "VOXEL_SIZE", context),
         read_count(*read, "VOXELS", context),
-        read_number(*read, "BASE", context),
-        read_number(*read, "TOP", context),
+        read_optional(*read, "BASE", context),
+        read_optional(*read, "TOP", context),
     )
 
 
@@ -128,7 +128,7 @@ def read_memory(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> int:
     """Return the memory for the paths in bytes."""
-    return int((read_number(algorithm, parameters, "MEMORY", context) or 0.0) * 2**30)
+    return int(read_number(algorithm, parameters, "MEMORY", context) * 2**30)
 
 
 def _extent(

@@ -12,7 +12,7 @@ from qgis.core import (
 )
 
 from ...muysc_qgis.errors import MuyscError
-from .values import explained, number, read_number
+from .values import explained, number, read_optional
 
 
 def workers_parameter() -> QgsProcessingParameterDefinition:
@@ -46,7 +46,7 @@ def read_workers(
     MuyscError
         If the number is negative or no whole one.
     """
-    workers = read_number(algorithm, parameters, "WORKERS", context)
+    workers = read_optional(algorithm, parameters, "WORKERS", context)
     if workers is not None and (workers < 0 or workers != round(workers)):
         raise MuyscError(
             f"{workers:g} worker processes are impossible; give a whole number from 0."
