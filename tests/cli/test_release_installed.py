@@ -1,6 +1,5 @@
 """The zip of a release, installed in a fresh profile as the plugin manager does, and run."""
 
-import importlib.util
 import os
 import re
 import subprocess
@@ -11,9 +10,10 @@ from pathlib import Path
 import pytest
 from osgeo import gdal
 
+from tools import package
+
 gdal.UseExceptions()
 
-ROOT = Path(__file__).resolve().parent.parent.parent
 #: Where QGIS keeps the plugins of its first profile, below its folder of settings.
 PLUGINS = Path("profiles", "default", "python", "plugins")
 
@@ -21,9 +21,6 @@ PLUGINS = Path("profiles", "default", "python", "plugins")
 @pytest.fixture(scope="module")
 def installed(qgis_process, tmp_path_factory):
     """Return qgis_process with the release, and with nothing of this checkout."""
-    spec = importlib.util.spec_from_file_location("package", ROOT / "tools" / "package.py")
-    package = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(package)
     try:
         commit = package.git("rev-parse", "HEAD").strip()
     except (OSError, subprocess.CalledProcessError):

@@ -1,7 +1,6 @@
 """What the checks of the project share: where it is, and what QGIS sees of it."""
 
 import functools
-import importlib.util
 import json
 import os
 import subprocess
@@ -85,12 +84,3 @@ def tracked(root):
     if done.returncode != 0:
         pytest.skip("not a git checkout")
     return [Path(name) for name in done.stdout.split("\0") if name and (root / name).is_file()]
-
-
-@pytest.fixture(scope="session")
-def package(root):
-    """Return the script that packs a release and checks it."""
-    spec = importlib.util.spec_from_file_location("package", root / "tools" / "package.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module

@@ -1,9 +1,8 @@
 """The table of results on every supported QGIS."""
 
-import importlib.util
-import sys
-
 import pytest
+
+from tools import matrix
 
 _REPORT = """<?xml version="1.0" encoding="utf-8"?>
 <testsuites><testsuite name="pytest" errors="1" failures="1" skipped="1" tests="4">
@@ -15,16 +14,7 @@ _REPORT = """<?xml version="1.0" encoding="utf-8"?>
 """
 
 
-@pytest.fixture(scope="module")
-def matrix(root):
-    spec = importlib.util.spec_from_file_location("matrix", root / "tools" / "matrix.py")
-    module = sys.modules["matrix"] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    yield module
-    del sys.modules["matrix"]
-
-
-def test_counts_and_names_come_from_the_report_of_pytest(matrix, tmp_path):
+def test_counts_and_names_come_from_the_report_of_pytest(tmp_path):
     report = tmp_path / "report.xml"
     report.write_text(_REPORT, encoding="utf-8")
     counts, failed = matrix.results_of(report)
@@ -32,7 +22,7 @@ def test_counts_and_names_come_from_the_report_of_pytest(matrix, tmp_path):
     assert failed == ["tests.gui.test_dock::test_a_drag[1]", "tests.cli.test_run::test_help"]
 
 
-def test_the_table_has_a_row_for_each_system_and_names_what_failed(matrix):
+def test_the_table_has_a_row_for_each_system_and_names_what_failed():
     columns = {"QGIS": "3.40.6", "passed": 7, "failed": 1}
     one = matrix.Result("sid", columns, ["tests.gui::test_dock failed."])
     table = matrix.table_of([one]).splitlines()
@@ -41,7 +31,7 @@ def test_the_table_has_a_row_for_each_system_and_names_what_failed(matrix):
     assert table[-1] == "- sid: tests.gui::test_dock failed."
 
 
-def test_without_root_one_sentence_says_so(matrix, monkeypatch):
+def test_without_root_one_sentence_says_so(monkeypatch):
     monkeypatch.setattr(matrix.os, "geteuid", lambda: 1000)
     with pytest.raises(matrix.MatrixError, match="root") as refused:
         matrix.main([])

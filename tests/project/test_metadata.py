@@ -6,6 +6,7 @@ import re
 import pytest
 
 import muysc_qgis
+from tools import package
 
 
 @pytest.fixture
@@ -17,7 +18,7 @@ def metadata(root):
     return dict(parser.items("general"))
 
 
-def test_the_plugin_site_accepts_it(package, root):
+def test_the_plugin_site_accepts_it(root):
     text = (root / "metadata.txt").read_text(encoding="utf-8")
     assert package.faults_of_metadata(text) == []
 

@@ -8,6 +8,8 @@ import zipfile
 
 import pytest
 
+from tools import package
+
 #: What may stand at the top of a release.
 TOP = {
     "__init__.py", "metadata.txt", "icon.svg", "LICENSE", "README.md", "CHANGELOG.md",
@@ -16,13 +18,13 @@ TOP = {
 
 
 @pytest.fixture(scope="module")
-def commit(package, tracked):
+def commit(tracked):
     assert tracked
     return package.git("rev-parse", "HEAD").strip()
 
 
 @pytest.fixture(scope="module")
-def archive(package, commit, tmp_path_factory):
+def archive(commit, tmp_path_factory):
     path = tmp_path_factory.mktemp("release") / "muysc.zip"
     package.pack(path, commit)
     return path
@@ -41,11 +43,11 @@ def test_the_workshop_is_left_out(release):
     assert not (release / "docs" / "development.md").exists()
 
 
-def test_the_plugin_site_accepts_it(package, archive):
+def test_the_plugin_site_accepts_it(archive):
     assert package.faults(archive) == []
 
 
-def test_nothing_that_runs_is_missing(release, package, commit, declared_by):
+def test_nothing_that_runs_is_missing(release, commit, declared_by):
     rooms = ("muysc_qgis", "processing_algorithms", "icons", "i18n", "docs/reference")
     committed = package.git("ls-tree", "-r", "--name-only", "-z", commit, *rooms)
     for name in filter(None, committed.split("\0")):
@@ -71,9 +73,7 @@ def test_its_documents_point_at_nothing_that_was_left_out(release):
                  "GIT_CONFIG_VALUE_0": "true"}),
     ],
 )  # fmt: skip
-def test_a_commit_gives_the_same_bytes_everywhere(
-    package, commit, archive, tmp_path, umask, changes
-):
+def test_a_commit_gives_the_same_bytes_everywhere(commit, archive, tmp_path, umask, changes):
     code = "import os, runpy, sys, pathlib; os.umask(int(sys.argv[1]))\n"
     code += "runpy.run_path(sys.argv[2])['pack'](pathlib.Path(sys.argv[3]), sys.argv[4])"
     again = tmp_path / "again.zip"
@@ -85,7 +85,7 @@ def test_a_commit_gives_the_same_bytes_everywhere(
     assert again.read_bytes() == archive.read_bytes()
 
 
-def test_its_times_are_the_commit_s_so_that_the_day_does_not_count(archive, package, commit):
+def test_its_times_are_the_commit_s_so_that_the_day_does_not_count(archive, commit):
     form = ("--no-patch", "--format=%cd", "--date=format-local:%Y %m %d %H %M")
     stated = package.git("show", *form, commit)
     with zipfile.ZipFile(archive) as content:
@@ -120,7 +120,7 @@ def zip_of(path, changes=()):
     return path
 
 
-def test_a_small_plugin_has_no_fault(package, tmp_path):
+def test_a_small_plugin_has_no_fault(tmp_path):
     assert package.faults(zip_of(tmp_path / "some.zip")) == []
 
 
@@ -145,18 +145,18 @@ def test_a_small_plugin_has_no_fault(package, tmp_path):
         ({"some/metadata.txt": METADATA.replace("Two", "50 %").encode()}, "cannot be read"),
     ],
 )
-def test_what_the_plugin_site_refuses_is_found(package, tmp_path, changes, words):
+def test_what_the_plugin_site_refuses_is_found(tmp_path, changes, words):
     found = package.faults(zip_of(tmp_path / "some.zip", changes))
     assert len(found) == 1
     assert words in found[0]
 
 
-def test_a_package_name_is_an_identifier(package):
+def test_a_package_name_is_an_identifier():
     assert package.faults_of_names(["some-name/__init__.py"])
     assert package.faults_of_names(["1name/__init__.py"])
     assert package.faults_of_names(["muysc/__init__.py"]) == []
 
 
-def test_a_zip_that_is_too_large_is_found(package, tmp_path, monkeypatch):
+def test_a_zip_that_is_too_large_is_found(tmp_path, monkeypatch):
     monkeypatch.setattr(package, "LARGEST_BYTES", 100)
     assert "at most 100" in package.faults(zip_of(tmp_path / "some.zip"))[0]

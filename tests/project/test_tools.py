@@ -1,6 +1,5 @@
 """The scripts behind make: what they refuse, and that the demo shows everything."""
 
-import importlib.util
 import os
 import re
 import shutil
@@ -8,13 +7,7 @@ import subprocess
 
 import pytest
 
-
-@pytest.fixture
-def demo(root):
-    spec = importlib.util.spec_from_file_location("demo", root / "tools" / "demo.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+from tools import demo
 
 
 @pytest.fixture
@@ -70,7 +63,7 @@ def test_nothing_is_installed_where_nothing_is_missing(machine):
     assert (done.returncode, done.stdout, done.stderr, called) == (0, "", "", "")
 
 
-def test_the_demo_shows_every_output_of_the_main_job(demo, declared_by, root):
+def test_the_demo_shows_every_output_of_the_main_job(declared_by, root):
     radiography = declared_by(root)["muysc:radiography"]
     assert set(demo.FILES) == set(radiography["files"])
     numbers = {name for name, _, _ in demo.NUMBERS}
@@ -78,7 +71,7 @@ def test_the_demo_shows_every_output_of_the_main_job(demo, declared_by, root):
     assert set(demo.VIEW) <= set(radiography["parameters"])
 
 
-def test_the_demo_fails_loudly_where_something_is_missing(demo, tmp_path):
+def test_the_demo_fails_loudly_where_something_is_missing(tmp_path):
     (tmp_path / "empty.tif").touch()
     for name in ("missing.tif", "empty.tif"):
         with pytest.raises(demo.DemoError, match=name):
