@@ -1,4 +1,4 @@
-"""Scale bar and north arrow of a map in kilometres."""
+"""What surrounds a map in kilometres: scales along its sides, scale bar, north arrow."""
 
 from __future__ import annotations
 
@@ -6,10 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import style, ticks
+from . import scales, style, ticks
+from .frames import whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+#: Room for a tick with its label (inches).
+_TICK_ROOM_IN = 0.7
 
 #: Share of the map's width that the scale bar takes at most.
 _LONGEST = 0.25
@@ -18,14 +22,37 @@ _LONGEST = 0.25
 _LEFT, _BOTTOM = 0.03, 0.035
 
 
+def draw_surroundings(axes: Axes, size_in: tuple[float, float], east: str, north: str) -> None:
+    """Draw scales, scale bar and north arrow; the limits must be set.
+
+    Parameters
+    ----------
+    axes
+        Of the map, in kilometres.
+    size_in
+        Width and height on the page.
+    east, north
+        What runs along the lower and the left side.
+    """
+    frame = whole(axes)
+    for side, name, (low, high), length in (
+        ("bottom", east, axes.get_xlim(), size_in[0]),
+        ("left", north, axes.get_ylim(), size_in[1]),
+    ):
+        step = ticks.round_step(high - low, max(2, int(length / _TICK_ROOM_IN)))
+        scales.draw_scale(frame, side, ticks.multiples(low, high, step), name=f"{name} (km)")
+    _draw_scale_bar(axes)
+    _draw_north(axes)
+
+
 def bar_length(longest: float) -> float:
     """Return the largest 1, 2 or 5 × 10ⁿ that is not above `longest`."""
     decade = 10.0 ** np.floor(np.log10(longest))
     return float(max(m * decade for m in (1, 2, 5) if m * decade <= longest * (1 + 1e-9)))
 
 
-def draw_scale_bar(axes: Axes) -> None:
-    """Draw a bar of a round length at the lower left; the limits must be set."""
+def _draw_scale_bar(axes: Axes) -> None:
+    """Draw a bar of a round length at the lower left."""
     from matplotlib.patches import Rectangle
 
     west, east = axes.get_xlim()
@@ -52,7 +79,7 @@ def draw_scale_bar(axes: Axes) -> None:
     )  # fmt: skip
 
 
-def draw_north(axes: Axes) -> None:
+def _draw_north(axes: Axes) -> None:
     """Draw an arrow to the north at the upper right."""
     axes.annotate(
         "N", xy=(0.955, 0.975), xytext=(0.955, 0.885), xycoords="axes fraction",

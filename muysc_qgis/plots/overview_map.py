@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..topography.relief import Relief
-from . import scales, style, ticks
-from .frames import new_axes, whole
+from . import style, ticks
+from .frames import new_axes
 from .legend import draw_legend
-from .map_marks import draw_north, draw_scale_bar
+from .map_marks import draw_surroundings
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 #: it reads the same with any colour vision and in grey.
 _TINT = ("#7f9e8d", "#b4bf9b", "#dccfa8", "#efe4cd", "#fbf8f2")
 
-_CONTOUR = "#4d4030"
+#: Of contour lines.
+CONTOUR = "#4d4030"
 
 #: Light from the north-west at half height, as on printed maps (degrees).
 _LIGHT_AZIMUTH_DEG = 315.0
@@ -42,8 +43,6 @@ _MAP_SMALLEST_IN = 2.4
 _LEFT_IN = 0.72
 _BELOW_IN = 0.55
 _LEGEND_ROW_IN = 0.25
-#: Room for a tick with its label (inches).
-_TICK_ROOM_IN = 0.7
 
 
 def overview_map(
@@ -95,15 +94,7 @@ def overview_map(
     axes.set_xlim(west, east)
     axes.set_ylim(south, north)
     axes.set_aspect("equal", anchor="NW")
-    frame = whole(axes)
-    for side, name, low, high, length in (
-        ("bottom", "East of the detector (km)", west, east, width),
-        ("left", "North of the detector (km)", south, north, height),
-    ):
-        step = ticks.round_step(high - low, max(2, int(length / _TICK_ROOM_IN)))
-        scales.draw_scale(frame, side, ticks.multiples(low, high, step), name=name)
-    draw_scale_bar(axes)
-    draw_north(axes)
+    draw_surroundings(axes, (width, height), "East of the detector", "North of the detector")
     wrapped = [(fill(label, 34), artist) for label, artist in legend]
     draw_legend(
         figure, wrapped, _LEFT_IN + width + 0.15, _BELOW_IN + height, len(wrapped), _LEGEND_ROW_IN
@@ -181,7 +172,7 @@ def _draw_terrain(axes: Axes, relief: Relief) -> list[tuple[str, Artist]]:
     lines = axes.contour(
         relief.east_m[thinned] / 1e3, relief.north_m[thinned] / 1e3,
         np.ma.masked_invalid(relief.elevation_m[thinned, thinned]), levels=levels,
-        colors=[_CONTOUR], linewidths=0.45, alpha=0.75, zorder=2,
+        colors=[CONTOUR], linewidths=0.45, alpha=0.75, zorder=2,
     )  # fmt: skip
     axes.clabel(
         lines,
@@ -190,7 +181,7 @@ def _draw_terrain(axes: Axes, relief: Relief) -> list[tuple[str, Artist]]:
         fmt=ticks.number_label,
         inline_spacing=2,
     )
-    example = Line2D([], [], color=_CONTOUR, linewidth=0.6)
+    example = Line2D([], [], color=CONTOUR, linewidth=0.6)
     return [(f"Elevation, every {ticks.number_label(step)} m", example), *legend]
 
 

@@ -12,7 +12,7 @@ from ..workflows.site_assessment import SurveyPlan
 from ..workflows.site_selection import Selection
 from . import charts, style, ticks
 from .frames import new_axes
-from .map_marks import draw_north, draw_scale_bar
+from .map_marks import draw_surroundings
 from .survey_map import SurveyMap
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def survey_panel(selection: Selection, plan: SurveyPlan) -> Figure:
     maps = SurveyMap.of(selection, plan)
     scale = maps.draw(axes, "site_score", "score")
     legend = maps.mark(axes)
-    _label_map(axes, maps.half_m)
+    _label_map(axes, _MAP)
     _draw_bar(figure, scale, "site_score", (_MAP_LEFT, 0.42, _MAP))
     figure.legend(
         [artist for _, artist in legend], [label for label, _ in legend],
@@ -94,20 +94,13 @@ def survey_maps(selection: Selection, plan: SurveyPlan) -> Figure:
         style.add_title(axes, _TITLES[number], 5)
         scale = maps.draw(axes, quantity, number)
         maps.mark(axes)
-        _label_map(axes, maps.half_m)
+        _label_map(axes, side)
         _draw_bar(figure, scale, quantity, (left, height - top - side - 0.62, side))
     return figure
 
 
-def _label_map(axes: Axes, half_m: float) -> None:
-    half = half_m / 1e3
-    places = ticks.multiples(-half, half, ticks.round_step(2 * half, 7))
-    labels = [ticks.number_label(round(place, 6)).replace("-", "−") for place in places]
-    axes.set_xticks(places, labels)
-    axes.set_yticks(places, labels)
-    charts.label(axes, "East of the target (km)", "North of the target (km)")
-    draw_scale_bar(axes)
-    draw_north(axes)
+def _label_map(axes: Axes, side_in: float) -> None:
+    draw_surroundings(axes, (side_in, side_in), "East of the target", "North of the target")
 
 
 def _draw_bar(

@@ -8,12 +8,12 @@ import numpy as np
 
 from ...topography.relief import Relief
 from ...workflows.tomography_result import Place, Tomography
-from .. import scales, style, ticks
-from ..frames import Box, new_axes, whole
-from ..map_marks import draw_north, draw_scale_bar
-from ..overview_map import shaded
+from .. import style, ticks
+from ..frames import Box, new_axes
+from ..map_marks import draw_surroundings
+from ..overview_map import CONTOUR, shaded
 from .cut_axes import cell_colours
-from .cuts import slice_at
+from .cuts import EASTING, NORTHING, slice_at
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -30,13 +30,9 @@ _FAR = 1.0
 #: How much of the relief shows through white, so that colours on it stand out.
 _RELIEF = 0.55
 
-_CONTOUR = "#4d4030"
 _STATION = {**style.DETECTOR_MARK, "markersize": 7, "zorder": 7}
 _SECTION = {"color": style.RAY, "linewidth": 1.0, "linestyle": (0, (5, 2)), "zorder": 6}
 _VOLUME = {"edgecolor": style.INK, "linewidth": 0.9, "facecolor": "none", "zorder": 5}
-
-#: Room for a tick with its label (inches).
-_TICK_IN = 0.7
 
 Bounds = tuple[float, float, float, float]
 
@@ -91,15 +87,7 @@ def draw_slice_map(
         interpolation="nearest", aspect="auto", zorder=2,
     )  # fmt: skip
     legend = [*_draw_marks(axes, tomography, place), *legend]
-    frame = whole(axes)
-    for side, name, low, high, length in (
-        ("bottom", "Easting (km)", west, east, box[2]),
-        ("left", "Northing (km)", south, north, box[3]),
-    ):
-        step = ticks.round_step(high - low, max(2, int(length / _TICK_IN)))
-        scales.draw_scale(frame, side, ticks.multiples(low, high, step), name=name)
-    draw_scale_bar(axes)
-    draw_north(axes)
+    draw_surroundings(axes, box[2:], EASTING, NORTHING)
     return legend
 
 
@@ -123,11 +111,11 @@ def _draw_relief(axes: Axes, relief: Relief, height_m: float) -> list[tuple[str,
     step = ticks.round_step(float(np.ptp(known)), 12)
     levels = ticks.multiples(float(known.min()), float(known.max()), step)
     axes.contour(
-        east, north, heights, levels=levels, colors=[_CONTOUR], linewidths=0.4, alpha=0.6, zorder=3
+        east, north, heights, levels=levels, colors=[CONTOUR], linewidths=0.4, alpha=0.6, zorder=3
     )
     legend: list[tuple[str, Artist]] = [
         (f"Elevation, every {ticks.number_label(step)} m",
-         Line2D([], [], color=_CONTOUR, linewidth=0.6)),
+         Line2D([], [], color=CONTOUR, linewidth=0.6)),
     ]  # fmt: skip
     if known.min() < height_m < known.max():
         axes.contour(
