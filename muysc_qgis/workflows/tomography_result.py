@@ -42,7 +42,7 @@ class StationResidual:
     #: Of data minus model, in opacity, g/cm².
     mean: float
     rms: float
-    #: RMS over the RMS of the opacity inside the volume.
+    #: RMS over the RMS of the opacity inside the volume; NaN where that is 0.
     relative: float
     #: Mean square of residuals over their errors; NaN where errors are unknown.
     chi_squared: float
@@ -170,7 +170,7 @@ def result_of(
         ),
         target=_target(lines),
         residuals=tuple(_residuals(lines, system, residual)),
-        relative_residual=_rms(residual) / _rms(system.data),
+        relative_residual=_relative(residual, system.data),
         rays=len(system.data),
         chi_squared=_chi_squared(system, residual, slice(None)),
         rock_voxels=lattice.count,
@@ -200,7 +200,7 @@ def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[
                 len(which),
                 G_CM2_PER_M_WATER_EQUIVALENT * float(left.mean()) if which.size else np.nan,
                 G_CM2_PER_M_WATER_EQUIVALENT * _rms(left),
-                _rms(left) / _rms(system.data[which]) if which.size else np.nan,
+                _relative(left, system.data[which]),
                 _chi_squared(system, residual, which) if which.size else np.nan,
             )
         )
@@ -211,6 +211,12 @@ def _chi_squared(system: System, residual: np.ndarray, which: np.ndarray | slice
     if system.errors is None:
         return np.nan
     return float(np.mean((residual[which] / system.errors[which]) ** 2))
+
+
+def _relative(residual: np.ndarray, data: np.ndarray) -> float:
+    """Return the size of the residuals as a share of the data's, NaN where all data are 0."""
+    size = _rms(data)
+    return _rms(residual) / size if size > 0 else np.nan
 
 
 def _rms(values: np.ndarray) -> float:

@@ -145,6 +145,17 @@ def test_without_a_mask_the_sky_shows_where_the_air_is(dem, views):
     assert slices[-1] < 0.3  # above the summit
 
 
+def test_a_station_that_sees_sky_alone_has_no_relative_residual(dem, views):
+    lines = survey(bare_stations(views("opacity")), dem, PLAN, mask=False)
+    opacity = 100.0 * DENSITY * lines.thickness_m
+    opacity[: len(lines.stations[0])] = 0.0
+    choices = TomographyChoices("sirt", Options(iterations=2), reference_density=DENSITY)
+    result = reconstruct_volume(filled(lines, opacity, 0.05), choices)
+    first, second, *_ = result.residuals
+    assert np.isnan(first.relative)
+    assert second.relative > 0
+
+
 def test_recomputed_paths_give_the_same_as_the_matrix_and_are_told(lines, monkeypatch):
     # So few rays need less memory than the voxels, which come first.
     monkeypatch.setattr(workflow, "_FEW_NUMBERS_PER_VOXEL", 1)
