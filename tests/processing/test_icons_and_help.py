@@ -33,6 +33,14 @@ def test_every_algorithm_shows_the_icon_of_its_group(provider):
         assert not algorithm.icon().pixmap(24, 24).isNull()
 
 
+def test_every_parameter_says_what_it_is(provider):
+    for algorithm in provider.algorithms():
+        for one in algorithm.parameterDefinitions():
+            # Outputs of a model are those of its steps.
+            told = one.help() or (one.isDestination() and algorithm.groupId() == "models")
+            assert told, f"{one.name()} of {algorithm.id()}"
+
+
 def test_help_opens_a_page_that_is_there(provider):
     from qgis.PyQt.QtCore import QUrl
 

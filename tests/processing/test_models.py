@@ -75,7 +75,6 @@ def test_wrong_input_leaves_nothing(run, vesuvius, tmp_path):
 def test_a_model_is_complete_without_a_run(provider, name):
     model = provider.algorithm(name)
     assert model.validate() == (True, [])
-    assert all(one.help() for one in model.parameterDefinitions() if not one.isDestination())
     assert "From an elevation" in model.shortHelpString() or "Answers" in model.shortHelpString()
     # Their names stand in scripts, and are the steps' own.
     assert len(model.destinationParameterDefinitions()) == 7

@@ -211,8 +211,6 @@ def test_metadata_and_help(provider):
     algorithm = provider.algorithm("radiographyatsites")
     assert algorithm.group() == "Survey"
     assert "index" in algorithm.shortHelpString()
-    for definition in algorithm.parameterDefinitions():
-        assert definition.help(), definition.name()
 
 
 def test_a_temporary_folder_will_do(run, survey):

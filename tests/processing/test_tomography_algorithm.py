@@ -67,23 +67,6 @@ def setting(muograms, dem_path, tmp_path):
     }  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def parameters(provider):
-    return {one.name(): one for one in provider.algorithm("tomography").parameterDefinitions()}
-
-
-def test_the_interface_stays(parameters):
-    for name in ("MUOGRAMS", "DEM", "EXTENT", "VOXEL_SIZE", "VOXELS", "BASE", "TOP", "METHOD",
-                 "ITERATIONS", "RELAXATION", "REGULARIZATION", "REFERENCE_DENSITY", "DENSITY",
-                 "COVERAGE", "RESIDUALS", "POINTS", "PANEL", "REPORT"):  # fmt: skip
-        assert name in parameters
-        assert parameters[name].help(), name
-    assert parameters["METHOD"].options() == [
-        "art", "bart", "sart", "sirt", "mlem", "osem", "pml-quad", "pml-hybrid", "ospml-quad",
-        "ospml-hybrid", "tv", "grad", "tikhonov", "lsmr", "bayes",
-    ]  # fmt: skip
-
-
 def test_a_uniform_mountain_on_the_map(run, setting, tmp_path):
     results = run("tomography", setting)
     volume = read_volume(results["DENSITY"])
