@@ -57,6 +57,38 @@ def test_errors_find_their_muograms_in_any_order(dem, views):
     assert [np.nanmedian(one.error) for one in data.stations] == [100, 200, 300]
 
 
+def test_errors_are_those_of_their_detector_where_directions_are_the_same(dem, views):
+    (near,) = views("opacity")[:1]
+    beside = {"DETECTOR_LON": near.number("DETECTOR_LON") + 0.001}
+    far = changed(near, "opacity", near.view.values, **beside)
+    errors = [
+        changed(one, "opacity_error", np.full(one.view.values.shape, size))
+        for one, size in ((far, 200.0), (near, 100.0))
+    ]
+    data = read_survey([near, far], errors, dem)
+    assert [np.nanmedian(one.error) for one in data.stations] == [100, 200]
+
+
+def test_the_sky_has_no_density_and_no_opacity(dem, views):
+    (one,) = views("thickness")[:1]
+    density = changed(one, "density", np.where(one.view.values > 0, 2.4, np.nan))
+    (station,) = read_survey([density], [], dem).stations
+    sky = one.view.values.ravel() == 0
+    assert np.count_nonzero(sky) > 10
+    assert np.all(station.opacity[sky] == 0)
+
+
+def test_rock_as_bright_as_the_sky_says_nothing_and_is_told(dem, views):
+    (one,) = views("flux")[:1]
+    values = one.view.values.copy()
+    darkest = np.nanargmin(values)
+    values.flat[darkest] = 1e3
+    (station,) = read_survey([changed(one, "flux", values)], [], dem).stations
+    bright = np.flatnonzero(station.lost["as bright as the open sky: density 0"])
+    assert bright.tolist() == [darkest]
+    assert np.isnan(station.opacity[bright]).all()
+
+
 def test_errors_of_a_flux_become_those_of_the_opacity(dem, views):
     """σ(ln ϱ) = σ(ln I) / |d ln I/d ln ϱ|, with the slope by finite differences of the data."""
     given = views("flux")[:1]

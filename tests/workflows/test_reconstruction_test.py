@@ -119,6 +119,17 @@ def test_without_noise_the_contrast_of_a_wide_body_is_found(stations, dem):
     assert 0 < body.seen <= body.voxels
 
 
+def test_the_fit_of_merged_pixels_ends_where_that_of_their_regions_would(stations, dem):
+    """Their errors are √n times as wide and they scatter together: at √(regions/pixels), not 1."""
+    model = KnownModel("conduit", ROCK, 1.0, 250.0, centre=MIDDLE)
+    choices = TomographyChoices("sirt", Options(iterations=100), ROCK)
+    campaign = Campaign(30.0, Telescope(10.0), minimum_counts=50.0)
+    fit = find(stations, dem, model, campaign, choices).tomography.reconstruction
+    assert fit.stopped_by == "discrepancy"
+    # Regions of three to four pixels on the mean.
+    assert 4**-0.5 < fit.misfit[-1] < 3**-0.5
+
+
 def test_the_shape_is_found_without_the_terrain(stations, dem):
     choices = replace(
         EXACT, method="sirt", mask=False, options=Options(iterations=100, highest=ROCK)
@@ -178,6 +189,14 @@ def test_merged_pixels_weigh_as_much_as_their_region(counting):
     rock = thickness > 0
     said = [np.nansum((one.data.opacity / one.data.error)[rock] ** 2) for one in (merged, single)]
     assert said[0] == pytest.approx(said[1], rel=0.03)
+
+
+def test_the_sky_is_as_sure_as_the_thinnest_rock(counting):
+    _, thickness, counted = counting(Campaign(30.0, Telescope(10.0)))
+    sky, rock = thickness == 0, thickness > 0
+    assert np.count_nonzero(sky) > 10
+    assert np.all(counted.data.opacity[sky] == 0)
+    assert np.all(counted.data.error[sky] == np.nanmin(counted.data.error[rock]))
 
 
 def test_pixels_without_a_muon_are_left_out_and_counted(counting):
