@@ -2288,8 +2288,8 @@
       <translation>Indique la distancia entre candidatos en m, mayor que 0: también el tamaño de celda de los mapas. La mitad da cuatro veces más candidatos.</translation>
     </message>
     <message>
-      <source>Steepest slope (°, empty: any)</source>
-      <translation>Pendiente máxima (°, vacío: cualquiera)</translation>
+      <source>Steepest slope (°, 90: any)</source>
+      <translation>Pendiente máxima (°, 90: cualquiera)</translation>
     </message>
     <message>
       <source>Give the steepest ground in degrees, above 0 and up to 90, measured over one cell of the DEM to each side.</source>

@@ -45,7 +45,7 @@ def candidate_parameters() -> list[QgsProcessingParameterDefinition]:
             100.0, 0,
         ),
         number(
-            "MAX_SLOPE", "Steepest slope (°, empty: any)",
+            "MAX_SLOPE", "Steepest slope (°, 90: any)",
             "Give the steepest ground in degrees, above 0 and up to 90, measured over one cell of "
             "the DEM to each side.",
             30.0, 0, 90,
