@@ -211,6 +211,9 @@ def test_the_suggested_volume_holds_the_cone(dem, views):
         assert lines.grid.origin_m[axis] + 500 < place < lines.grid.end_m[axis] - 500
     assert lines.grid.end_m[2] > 1262  # the summit
     assert 20 <= max(lines.grid.shape) <= 31
+    # All but the top lies on whole multiples of a voxel.
+    bounds = np.array([*lines.grid.origin_m, *lines.grid.end_m[:2]]) / lines.grid.size_m[0]
+    np.testing.assert_allclose(bounds, np.round(bounds), rtol=0, atol=1e-6)
     assert lines.inside_m.sum() > 0.6 * lines.thickness_m.sum()
 
 
