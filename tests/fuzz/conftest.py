@@ -42,6 +42,33 @@ def scene(fuzz_client, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def changed_inputs(scene, tmp_path_factory):
+    """Return which files of the scene are not as they were, and put them right again."""
+    kept = shutil.copytree(scene.folder, tmp_path_factory.mktemp("kept") / "inputs")
+
+    def states(folder):
+        # QGIS keeps statistics of rasters beside them.
+        found = [path for path in folder.rglob("*") if path.is_file() and path.suffix != ".xml"]
+        return {
+            str(path.relative_to(folder)): (path.stat().st_size, path.stat().st_mtime_ns)
+            for path in found
+        }
+
+    before = states(kept)
+
+    def changed():
+        now = states(scene.folder)
+        names = sorted({name for name, _ in now.items() ^ before.items()})
+        for name in names:
+            (scene.folder / name).unlink(missing_ok=True)
+            if name in before:
+                shutil.copy2(kept / name, scene.folder / name)
+        return names
+
+    return changed
+
+
+@pytest.fixture(scope="session")
 def cases_run():
     """The number of cases by test, told at the end of a long run."""
     counts = {}
@@ -51,7 +78,7 @@ def cases_run():
 
 
 @pytest.fixture
-def attempt(fuzz_client, tmp_path, cases_run, request):
+def attempt(fuzz_client, tmp_path, cases_run, changed_inputs, request):
     """Run one case and fail if it ends in anything but results or a sentence."""
     numbers = itertools.count()
 
@@ -70,6 +97,7 @@ def attempt(fuzz_client, tmp_path, cases_run, request):
         told = fuzz_client.run(algorithm, placed)
         cases_run[request.node.name] = cases_run.get(request.node.name, 0) + 1
         found = faults(placed, told, folder)
+        found += [f"changed its input {name}" for name in changed_inputs()]
         shutil.rmtree(folder)
         assert not found, f"{algorithm} {placed} FAULTS: {'; '.join(found)}"
         return told

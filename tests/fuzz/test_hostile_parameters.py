@@ -19,5 +19,5 @@ def test_every_algorithm_is_tried(fuzz_client):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_results_or_one_sentence(name, fuzz_client, scene, explore, attempt):
-    cases = st.tuples(parameters(fuzz_client.catalogue[name], scene), st.booleans())
+    cases = st.tuples(parameters(name, fuzz_client.catalogue[name], scene), st.booleans())
     explore(cases, lambda case: attempt(name, *case))

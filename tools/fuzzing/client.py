@@ -61,10 +61,17 @@ class Client:
         if self._process is None:
             self._start()
         case = {"algorithm": algorithm, "parameters": parameters, "patience_s": PATIENCE_S}
+        before = self._errors.stat().st_size
         self._process.stdin.write(json.dumps(case) + "\n")
         self._process.stdin.flush()
         told = self._answer(LIMIT_S)
-        return {"end": "broken", "sentence": told} if isinstance(told, str) else told
+        if isinstance(told, str):
+            return {"end": "broken", "sentence": told}
+        # What fails where only QGIS calls it is printed and else goes unseen.
+        printed = self._errors.read_bytes()[before:].decode(errors="replace")
+        if "Traceback" in printed:
+            told["complaints"].append(printed)
+        return told
 
     def stop(self) -> None:
         """End the process."""

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from muysc_qgis.muogram import read_muogram, write_muogram
+
 from .client import Client
 
 #: The mountain's foot and middle (longitude, latitude), where telescopes stand and look.
@@ -17,17 +19,22 @@ MIDDLE = "14.425,40.8205 [EPSG:4326]"
 _LONGITUDE, _LATITUDE = 14.425, 40.8205
 _UTM = (451_500.0, 4_518_900.0)
 _CELLS = 48
+#: Quantities of which there are errors.
+_MEASURED = ("thickness", "flux", "transmission")
 
 
 @dataclass
 class Scene:
     """Names of files by what they are good for."""
 
+    folder: Path
     #: Sound and odd terrain.
     dems: list[str] = field(default_factory=list)
     odd_dems: list[str] = field(default_factory=list)
     #: Muograms by quantity, and rasters in telescope angles.
     muograms: dict[str, list[str]] = field(default_factory=dict)
+    #: Those of one detector.
+    seen: dict[str, list[str]] = field(default_factory=dict)
     #: Layers by kind: points, lines, polygons.
     layers: dict[str, list[str]] = field(default_factory=dict)
     tables: list[str] = field(default_factory=list)
@@ -44,7 +51,7 @@ class Scene:
             quantity: [path for path in paths if path.endswith(f"_{number}.tif")]
             for quantity, paths in self.muograms.items()
         }
-        return replace(self, muograms=own)
+        return replace(self, seen=own)
 
 
 def cone(columns: int = _CELLS, rows: int = _CELLS) -> np.ndarray:
@@ -184,7 +191,8 @@ def _layers(folder: Path) -> dict[str, list[str]]:
         return _layer(folder / f"{name}.gpkg", *rest)
 
     around = [f"POINT ({x + dx} {y + dy})" for dx, dy in ((-1600, 0), (0, 1500), (1400, -300))]
-    named = {"name": ["west", "n/o:rth <b>", "west"], "height": [1.0, None, 1e9]}
+    named = {"name": ["west", "n/o:rth <b>", "west"], "height": [1.0, None, -5.0]}
+    lofty = {"name": [None, "", "x" * 300], "height": [1e9, -1e300, 0.0]}
     strange: list[str | None] = [None, "POINT EMPTY", "POINT (1e300 -1e300)"]
     ring = f"{x} {y}, {x + 300} {y}, {x} {y + 300}, {x} {y}"
     body = {"density": [2.0], "base": [100.0], "top": [600.0]}
@@ -194,6 +202,7 @@ def _layers(folder: Path) -> dict[str, list[str]]:
             layer("one_site", "EPSG:4326", {}, ["POINT (14.4055 40.8205)"]),
             layer("several", "EPSG:32633", {}, [f"MULTIPOINT ({x - 1600} {y}, {x} {y + 1500})"]),
             layer("no_sites", "EPSG:32633", {"name": []}, []),
+            layer("lofty_sites", "EPSG:32633", lofty, around),
             layer("strange_sites", "EPSG:32633", {}, strange),
             layer("sites_without_crs", "", {}, around),
             layer("sites_elsewhere", "EPSG:4326", {}, ["POINT (0 0)", "POINT (0 89.9999)"]),
@@ -216,7 +225,7 @@ def _layers(folder: Path) -> dict[str, list[str]]:
 _TABLES = {
     "table.csv": "azimuth,elevation,counts,error\n"
     + "\n".join(f"{a},{e},{10 * e + a % 7},2" for e in (5, 10, 15) for a in (350, 355, 360, 365)),
-    "blanks.txt": "\n".join(f"{a} {z} {a * z / 9}" for z in (60, 70, 80) for a in (10, 20)),
+    "blanks.txt": "\n".join(f"{a} {z} {a * z // 9}" for z in (60, 70, 80) for a in (10, 20)),
     "matrix.txt": "\n".join(" ".join(str(i * j) for j in range(12)) for i in range(8)),
     "radians.tsv": "azimuth [rad]\tzenith [rad]\tflux\n0.1\t1.2\t3e-3\n0.2\t1.2\tnan\n",
     "semicolons.csv": "azimut;zenith;wert\n1,5;60;3,2\n2,5;60;4,1\n",
@@ -250,7 +259,7 @@ def _tile(path: Path, cells: int) -> str:
 def make_scene(folder: Path, client: Client) -> Scene:
     """Write everything; muograms come from the algorithms themselves."""
     folder.mkdir()
-    scene = Scene()
+    scene = Scene(folder)
     scene.dems, scene.odd_dems = _terrain(folder)
     scene.layers = _layers(folder)
     for name, text in _TABLES.items():
@@ -288,4 +297,29 @@ def make_scene(folder: Path, client: Client) -> Scene:
             raise RuntimeError(told["sentence"])
         for name, path in outputs.items():
             scene.muograms.setdefault(name.lower(), []).append(path)
+    for quantity in ("counts", "open_sky_counts"):
+        _round(scene.muograms[quantity][0])
+    for quantity in _MEASURED:
+        for path in scene.muograms[quantity][:2]:
+            error = Path(path).with_name(Path(path).name.replace(quantity, f"{quantity}_error"))
+            _write_error(Path(path), error)
+            scene.muograms.setdefault(f"{quantity}_error", []).append(str(error))
     return scene
+
+
+def _round(path: str) -> None:
+    """Make whole numbers of expected counts, as if they were counted."""
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    dataset = gdal.Open(path, gdal.GA_Update)
+    band = dataset.GetRasterBand(1)
+    band.WriteArray(np.round(band.ReadAsArray()))
+    del band, dataset
+
+
+def _write_error(source: Path, target: Path) -> None:
+    """Write a muogram's errors, a tenth of its values."""
+    muogram = read_muogram(source)
+    quantity = f"{muogram.quantity}_error"
+    write_muogram(replace(muogram, quantity=quantity, values=0.1 * muogram.values), target)

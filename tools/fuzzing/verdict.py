@@ -21,9 +21,10 @@ def faults(case: dict[str, Any], told: dict[str, Any], folder: Path) -> list[str
     if told["end"] == "broken":
         return [told["sentence"]]
     found = list(told["complaints"])
+    found += [leak for said in told["warnings"] for leak in _leaks(said)]
     found += [f"left {path.name}" for path in folder.rglob("*-partial*")]
     if told["end"] == "refused":
-        found += _about_sentence(told["sentence"])
+        found += about_sentence(told["sentence"])
         # A model leaves what its earlier steps have finished.
         if not any(":" in name for name in case):
             found += _about_remains(folder)
@@ -32,13 +33,18 @@ def faults(case: dict[str, Any], told: dict[str, Any], folder: Path) -> list[str
     return found
 
 
-def _about_sentence(said: str) -> list[str]:
+def about_sentence(said: str) -> list[str]:
+    """Return what is wrong with the sentence that a user reads."""
     if said.startswith(_OWN_WORDS):
         return []
-    found = [f"“{said}” leaks {leak}" for leak in _LEAKS if leak in said]
+    found = _leaks(said)
     if "\n" in said.strip() or not said.rstrip().endswith((".", ".)", ".”")):
         found.append(f"“{said}” is not one sentence")
     return found
+
+
+def _leaks(said: str) -> list[str]:
+    return [f"“{said}” leaks {leak}" for leak in _LEAKS if leak in said]
 
 
 def _about_remains(folder: Path) -> list[str]:
@@ -53,7 +59,7 @@ def _about_remains(folder: Path) -> list[str]:
 
 
 def _about_results(told: dict[str, Any], folder: Path) -> list[str]:
-    found = []
+    found = [f"left {path.name}" for path in folder.rglob("*.partial")]
     for name, value in told["results"].items():
         if isinstance(value, float) and math.isinf(value):
             found.append(f"{name} is {value}")
@@ -61,16 +67,16 @@ def _about_results(told: dict[str, Any], folder: Path) -> list[str]:
             path = Path(value)
             if not path.exists():
                 found.append(f"{name} is not there")
-            elif path.is_file() and path.read_bytes() == OLDER:
+            elif path.is_file() and path.read_bytes() in (OLDER, b""):
                 found.append(f"{name} was not written")
     for path in folder.rglob("*.tif"):
         if path.read_bytes() == OLDER:
             continue
-        found += _about_raster(path, told["log"])
+        found += _about_raster(path, bool(told["warnings"]))
     return found
 
 
-def _about_raster(path: Path, log: str) -> list[str]:
+def _about_raster(path: Path, warned: bool) -> list[str]:
     import numpy as np
     from osgeo import gdal
 
@@ -80,6 +86,6 @@ def _about_raster(path: Path, log: str) -> list[str]:
     del dataset
     if np.isinf(values).any():
         return [f"{path.name} holds infinity"]
-    if not np.nan_to_num(values).any() and not log.strip():
-        return [f"{path.name} is all zero or unknown, without a word"]
+    if not np.nan_to_num(values).any() and not warned:
+        return [f"{path.name} is all zero or unknown, without a warning"]
     return []

@@ -114,9 +114,13 @@ class Runner:
             def __init__(self) -> None:
                 super().__init__(False)
                 self.errors: list[str] = []
+                self.warnings: list[str] = []
 
             def reportError(self, text: str, fatalError: bool = False) -> None:  # noqa: N802, N803
                 self.errors.append(text)
+
+            def pushWarning(self, text: str) -> None:  # noqa: N802
+                self.warnings.append(text)
 
         algorithm = self._algorithms[case["algorithm"]].create()
         context, feedback = QgsProcessingContext(), Feedback()
@@ -131,6 +135,7 @@ class Runner:
                     fine, said = algorithm.checkParameterValues(case["parameters"], context)
                     if fine:
                         found = execute(algorithm, case["parameters"], context, feedback)
+                        algorithm.postProcess(context, feedback)
                         told["results"] = {name: plain(value) for name, value in found.items()}
                     else:
                         told.update(end="refused", sentence=said)
@@ -145,7 +150,7 @@ class Runner:
                 ]
         finally:
             stop.cancel()
-        told["log"] = feedback.textLog()
+        told["warnings"] = feedback.warnings
         return told
 
 
