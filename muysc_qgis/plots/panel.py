@@ -256,7 +256,9 @@ def _one_panel(
     if has_colour(muogram.values, muogram.kind, sky).any():
         kind = muogram.kind
         name = kind.label if layout.large or kind.unit == "1" else kind.unit
-        scales.draw_colour_bar(frame, muogram.values, scale, name, layout.below, layout.bar_height)
+        scales.draw_colour_bar_below(
+            frame, muogram.values, scale, name, layout.below, layout.bar_height
+        )
     elif sky is not None and sky.all():
         draw.draw_note(frame, "Open sky in every direction")
     else:

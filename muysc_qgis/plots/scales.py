@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import style, ticks
-from .frames import Frame, draw_image, place
+from .frames import Box, Frame, draw_image, place
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.transforms import Transform
 
@@ -38,6 +39,8 @@ _SIDES = {
 #: Length of a colour bar's arrow, and the room that one of its labels takes (inches).
 _ARROW_IN = 0.16
 _LABEL_IN = 0.45
+#: Steps of an even scale at most.
+_MOST_STEPS = 5
 
 
 def draw_scale(
@@ -119,39 +122,58 @@ def _moved(frame: Frame, transform: Transform, sideways: bool, points: float) ->
     return transform + ScaledTranslation(*way, frame.axes.figure.dpi_scale_trans)
 
 
-def draw_colour_bar(
+def draw_colour_bar_below(
     frame: Frame, values: np.ndarray, scale: ScalarMappable, name: str,
     below_in: float, height_in: float,
 ) -> None:  # fmt: skip
-    """Draw a colour scale below a frame, arrows where values lie beyond its ends.
+    """Draw a colour scale as wide as a frame below it; see `draw_colour_bar`.
 
     Parameters
     ----------
     frame
-        From `place`; the bar is as wide as this.
+        From `place`.
+    values, scale, name
+        As for `draw_colour_bar`.
+    below_in, height_in
+        Distance of the bar from the frame, and its height (inches).
+    """
+    left, bottom, width, _ = frame.box
+    box = (left, bottom - below_in - height_in, width, height_in)
+    draw_colour_bar(frame.axes, box, values, scale, name)
+
+
+def draw_colour_bar(
+    axes: Axes, box: Box, values: np.ndarray, scale: ScalarMappable, name: str
+) -> None:
+    """Draw a colour scale, arrows where values lie beyond its ends.
+
+    Parameters
+    ----------
+    axes
+        From `page_axes`.
+    box
+        Of the bar, arrows included.
     values
         What the scale shows, any shape.
     scale
         Colours and limits.
     name
         Name of the scale, with the unit.
-    below_in, height_in
-        Distance of the bar from the frame, and its height (inches).
     """
     from matplotlib.colors import LogNorm
     from matplotlib.patches import Polygon
 
+    left, bottom, width, height = box
     low, high = scale.get_clim()
     known = values[np.isfinite(values)]
     if isinstance(scale.norm, LogNorm):
         known = known[known > 0]
         positions = ticks.logarithmic_ticks(low, high)
-        positions = positions[:: int(np.ceil(len(positions) * _LABEL_IN / frame.box[2]))]
+        positions = positions[:: int(np.ceil(len(positions) * _LABEL_IN / width))]
     else:
-        positions = ticks.multiples(low, high, ticks.round_step(high - low, 5))
-    left, bottom, width, _ = frame.box
-    right, top = left + width, bottom - below_in
-    sides = [left, right]
+        steps = min(_MOST_STEPS, int(width / _LABEL_IN))
+        positions = ticks.multiples(low, high, ticks.round_step(high - low, max(2, steps)))
+    sides = [left, left + width]
     for side, inwards, shade, beyond in (
         (0, 1, 0.0, np.any(known < low)), (1, -1, 1.0, np.any(known > high)),
     ):  # fmt: skip
@@ -159,18 +181,16 @@ def draw_colour_bar(
             tip = sides[side]
             sides[side] += inwards * _ARROW_IN
             corners = [
-                (sides[side], top), (tip, top - height_in / 2), (sides[side], top - height_in),
+                (sides[side], bottom + height), (tip, bottom + height / 2), (sides[side], bottom),
             ]  # fmt: skip
-            frame.axes.add_artist(
+            axes.add_artist(
                 Polygon(
                     corners, facecolor=scale.cmap(shade), edgecolor=style.MUTED,
                     linewidth=style.THIN_LINE_WIDTH, zorder=1, gid="beyond",
                 )
             )  # fmt: skip
     # Along the bar colours run evenly, and the scale as its norm says.
-    bar = place(
-        frame.axes, (sides[0], top - height_in, sides[1] - sides[0], height_in), (0, 1, 0, 1)
-    )
+    bar = place(axes, (sides[0], bottom, sides[1] - sides[0], height), (0, 1, 0, 1))
     shades = scale.cmap(np.linspace(0.0, 1.0, scale.cmap.N), bytes=True)[None]
     draw_image(bar, shades, (0, 1, 0, 1), "colour bar")
     draw_scale(

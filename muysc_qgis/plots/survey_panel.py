@@ -11,18 +11,19 @@ from ..survey.choice import AZIMUTHS_DEG, coverage
 from ..workflows.site_assessment import SurveyPlan
 from ..workflows.site_selection import Selection
 from . import charts, style, ticks
-from .frames import new_axes
+from .frames import new_axes, page_axes
 from .map_marks import draw_surroundings
+from .scales import draw_colour_bar
 from .survey_map import SurveyMap
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.cm import ScalarMappable
     from matplotlib.figure import Figure
 
 #: Measures of the panel (inches).
 _HEIGHT = 7.35
 _MAP = 5.55
+_BAR = 0.12
 _MAP_LEFT, _MAP_TOP = 0.62, 0.62
 _RIGHT, _RIGHT_WIDTH = 7.0, 2.6
 
@@ -64,7 +65,10 @@ def survey_panel(selection: Selection, plan: SurveyPlan) -> Figure:
     scale = maps.draw(axes, "site_score", "score")
     legend = maps.mark(axes)
     _label_map(axes, _MAP)
-    _draw_bar(figure, scale, "site_score", (_MAP_LEFT, 0.42, _MAP))
+    draw_colour_bar(
+        page_axes(figure), (_MAP_LEFT, 0.42, _MAP, _BAR), selection.map_of("score"), scale,
+        QUANTITIES["site_score"].label,
+    )  # fmt: skip
     figure.legend(
         [artist for _, artist in legend], [label for label, _ in legend],
         loc="lower left", bbox_to_anchor=(_RIGHT / style.WIDTH_IN - 0.02, 0.03), frameon=False,
@@ -86,7 +90,7 @@ def survey_maps(selection: Selection, plan: SurveyPlan) -> Figure:
     side, gap = 4.0, 0.85
     figure = style.new_figure(style.WIDTH_IN, 2 * (side + 1.25) + 0.3)
     maps = SurveyMap.of(selection, plan)
-    height = figure.get_size_inches()[1]
+    page, height = page_axes(figure), figure.get_size_inches()[1]
     for index, (quantity, number) in enumerate(_FURTHER):
         left = 0.62 + (index % 2) * (side + gap)
         top = 0.35 + (index // 2) * (side + 1.25)
@@ -95,29 +99,13 @@ def survey_maps(selection: Selection, plan: SurveyPlan) -> Figure:
         scale = maps.draw(axes, quantity, number)
         maps.mark(axes)
         _label_map(axes, side)
-        _draw_bar(figure, scale, quantity, (left, height - top - side - 0.62, side))
+        bar = (left, height - top - side - 0.62, side, _BAR)
+        draw_colour_bar(page, bar, selection.map_of(number), scale, QUANTITIES[quantity].label)
     return figure
 
 
 def _label_map(axes: Axes, side_in: float) -> None:
     draw_surroundings(axes, (side_in, side_in), "East of the target", "North of the target")
-
-
-def _draw_bar(
-    figure: Figure, scale: ScalarMappable, quantity: str, place: tuple[float, float, float]
-) -> None:
-    """Draw a colour bar; its place is left, bottom and width in inches."""
-    left, bottom, length = place
-    axes = new_axes(figure, (left, bottom, length, 0.12))
-    bar = figure.colorbar(scale, cax=axes, orientation="horizontal")
-    if QUANTITIES[quantity].logarithmic:
-        low, high = scale.get_clim()
-        values = ticks.logarithmic_ticks(low, high)
-        bar.set_ticks(values, labels=[ticks.number_label(value) for value in values])
-        bar.minorticks_off()
-    bar.outline.set_linewidth(style.THIN_LINE_WIDTH)
-    bar.set_label(QUANTITIES[quantity].label, fontsize=style.TEXT_SIZE, labelpad=2)
-    style.style_axes(axes)
 
 
 def _draw_rose(figure: Figure, selection: Selection) -> None:

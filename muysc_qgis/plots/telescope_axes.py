@@ -16,13 +16,11 @@ from ..telescope.planning import HALF
 from ..trajectories import TrajectoryMap
 from . import style, ticks
 from .colours import colour_scale, has_colour, pixel_colours
-from .frames import Box, new_axes
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
-    from matplotlib.figure import Figure
 
 #: Points along each line of the net of azimuths and elevations.
 _NET_POINTS = 400
@@ -81,31 +79,6 @@ def label_angles(axes: Axes, across: int = 6, up: int = 6, names: bool = True) -
     if names:
         axes.set_xlabel("Angle to the right (°)", fontsize=style.TEXT_SIZE, labelpad=2)
         axes.set_ylabel("Angle upwards (°)", fontsize=style.TEXT_SIZE, labelpad=2)
-    style.style_axes(axes)
-
-
-def draw_colour_bar(figure: Figure, box: Box, one: TrajectoryMap, scale: ScalarMappable) -> None:
-    """Draw a horizontal colour scale with round ticks, arrows where values lie beyond."""
-    axes = new_axes(figure, box)
-    low, high = scale.get_clim()
-    finite = one.values[np.isfinite(one.values)]
-    if one.kind.logarithmic:
-        finite = finite[finite > 0]
-    below, above = bool(np.any(finite < low)), bool(np.any(finite > high))
-    extend = ("both" if above else "min") if below else ("max" if above else "neither")
-    bar = figure.colorbar(scale, cax=axes, orientation="horizontal", extend=extend,
-                          extendfrac=0.12 / box[2])  # fmt: skip
-    if one.kind.logarithmic:
-        positions = ticks.logarithmic_ticks(low, high)
-    else:
-        positions = ticks.multiples(
-            low, high, ticks.round_step(high - low, max(2, int(box[2] / 0.5)))
-        )
-    bar.set_ticks(positions, labels=[ticks.number_label(float(tick)) for tick in positions])
-    bar.minorticks_off()
-    bar.outline.set_linewidth(style.THIN_LINE_WIDTH)
-    bar.outline.set_edgecolor(style.MUTED)
-    bar.set_label(one.kind.label, fontsize=style.TEXT_SIZE, labelpad=2)
     style.style_axes(axes)
 
 

@@ -11,10 +11,10 @@ from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
 from ..trajectories import TrajectoryMap, maps_of
 from . import style, ticks
-from .frames import new_axes
+from .frames import new_axes, page_axes
+from .scales import draw_colour_bar
 from .telescope_axes import (
     angle_ticks,
-    draw_colour_bar,
     draw_map,
     edges,
     label_angles,
@@ -74,9 +74,10 @@ def telescope_panel(collected: Trajectories, name: str) -> Figure:
     maps = maps_of(collected, name)
     bottom = 1.2
     room = (style.WIDTH_IN - _MARGIN) / len(_MAPS)
+    page = page_axes(figure)
     for number, key in enumerate(_MAPS):
         left = _MARGIN + number * room
-        _draw_quantity(figure, maps[key], left, bottom, first=number == 0)
+        _draw_quantity(page, maps[key], left, bottom, first=number == 0)
     return figure
 
 
@@ -100,10 +101,9 @@ def describe_geometry(collected: Trajectories) -> list[str]:
     ]
 
 
-def _draw_quantity(
-    figure: Figure, one: TrajectoryMap, left: float, bottom: float, first: bool
-) -> None:
+def _draw_quantity(page: Axes, one: TrajectoryMap, left: float, bottom: float, first: bool) -> None:
     """Draw one map with its section above and its colour scale below."""
+    figure = page.figure
     x0, x1, y0, y1 = edges(one)
     tall = min(_MAP, _MAP * (y1 - y0) / (x1 - x0))
     wide = min(_MAP, _MAP * (x1 - x0) / (y1 - y0))
@@ -118,7 +118,7 @@ def _draw_quantity(
     section = new_axes(figure, (x, bottom + _MAP + 0.12, wide, _SECTION))
     _draw_section(section, one, x0, x1)
     style.add_title(section, one.kind.title)
-    draw_colour_bar(figure, (x, y - 0.58, wide, 0.1), one, scale)
+    draw_colour_bar(page, (x, y - 0.58, wide, 0.1), one.values, scale, one.kind.label)
 
 
 def _draw_section(axes: Axes, one: TrajectoryMap, left: float, right: float) -> None:

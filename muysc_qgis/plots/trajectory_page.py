@@ -11,9 +11,9 @@ import numpy as np
 from ..telescope.planning import HALF
 from ..trajectories import TrajectoryMap
 from . import style
-from .frames import new_axes
+from .frames import new_axes, page_axes
+from .scales import draw_colour_bar
 from .telescope_axes import (
-    draw_colour_bar,
     draw_map,
     draw_net,
     draw_skyline,
@@ -73,6 +73,7 @@ def trajectory_page(
     height = heading + rows * (tall + _ABOVE + _BELOW) + 0.3
     figure = style.new_figure(style.WIDTH_IN, height)
     style.add_heading(figure, title, lines, _LEFT - 0.4)
+    page = page_axes(figure)
     sky = rock_share <= HALF
     legend: dict[str, object] = {}
     for number, (one, name) in enumerate(zip(maps, titles)):
@@ -90,7 +91,8 @@ def trajectory_page(
             legend["Target"] = target
         label_angles(axes, 7, 7)
         style.add_title(axes, name, 16)
-        draw_colour_bar(figure, (x, y - 0.55, wide, 0.12), one, scale)
+        bar = (x, y - 0.55, wide, 0.12)
+        draw_colour_bar(page, bar, one.values, scale, one.kind.label)
     order = [key for key in _LEGEND if key in legend]
     if order:
         figure.legend(

@@ -14,7 +14,7 @@ from ...workflows.tomography_result import Tomography
 from ...workflows.view_errors import both_known, paper_errors
 from .. import style
 from ..frames import page_axes
-from ..scales import draw_colour_bar
+from ..scales import draw_colour_bar_below
 from . import volume_scales
 from .cut_axes import fitted
 from .cuts import Cut, view_cut
@@ -159,4 +159,4 @@ def _draw_row(axes: Axes, top: float, row: _Row) -> None:
         (0, both, shared, "T and R"), (2, apart, errors, "ε"),
     ):  # fmt: skip
         name = f"{word} ({row.unit})" if row.unit else word
-        draw_colour_bar(frames[column], values, scale, name, BELOW, BAR_HEIGHT)
+        draw_colour_bar_below(frames[column], values, scale, name, BELOW, BAR_HEIGHT)

@@ -9,7 +9,7 @@ import numpy as np
 from ...tomography.method_comparison import Comparison, MethodResult
 from .. import charts, style
 from ..frames import Frame, draw_image, page_axes, place
-from ..scales import draw_colour_bar
+from ..scales import draw_colour_bar_below
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -114,7 +114,7 @@ def _draw_pictures(figure: Figure, comparison: Comparison, top_in: float) -> Non
                 color=style.INK if weight == "bold" else style.MUTED, va="baseline",
             )  # fmt: skip
     values = np.concatenate([image.ravel() for image, *_ in entries])
-    draw_colour_bar(below, values, scale, "Grey level", 0.14, 0.11)
+    draw_colour_bar_below(below, values, scale, "Grey level", 0.14, 0.11)
     axes.text(
         _MARGIN + _EDGE + _SPACE, below.box[1] - 0.2,
         "ε = ‖R − T‖₂ / ‖T‖₂ of reconstruction R and head T; the smallest one is framed.",

@@ -12,7 +12,7 @@ from ...workflows.tomography_result import Tomography
 from .. import style
 from ..frames import page_axes
 from ..legend import draw_legend
-from ..scales import draw_colour_bar
+from ..scales import draw_colour_bar_below
 from . import volume_scales
 from .cut_axes import GROUND_LINE, UNSEEN, draw_cut, draw_ground, fitted
 from .cuts import Cut, along_line, heights_along, resampled
@@ -72,7 +72,7 @@ def section_figure(
         step = cut.size_m[0] / 2 / len(cut.values)
         _, east, north = resampled(points_m, step)
         draw_ground(frame, cut, heights_along(relief, east, north))
-    draw_colour_bar(frame, cut.values, scale, "Density (g/cm³)", BELOW + 0.45, BAR_HEIGHT)
+    draw_colour_bar_below(frame, cut.values, scale, "Density (g/cm³)", BELOW + 0.45, BAR_HEIGHT)
     draw_legend(figure, legend, LEFT, corner[1] - BELOW, 1, 0.2, 2.6)
     return figure
 

@@ -14,7 +14,7 @@ from ...workflows.tomography_result import Place, Tomography
 from .. import style, ticks
 from ..frames import Frame, page_axes
 from ..legend import draw_legend
-from ..scales import draw_colour_bar
+from ..scales import draw_colour_bar_below
 from . import volume_scales
 from .cut_axes import GROUND_LINE, UNSEEN, draw_ground, draw_target, fitted
 from .cuts import ground_between
@@ -117,7 +117,7 @@ def tomography_panel(tomography: Tomography, relief: Relief | None = None) -> Fi
     )  # fmt: skip
     frames = draw_below_each_other(axes, _BESIDE_MAP, top, sections, _VERTICAL, densities)
     legend += _mark_sections(frames, sections, tomography, place, relief)
-    draw_colour_bar(
+    draw_colour_bar_below(
         frames[-1], tomography.density.values, densities, "Density (g/cm³)", BELOW, BAR_HEIGHT
     )
     top -= first
@@ -175,7 +175,7 @@ def _draw_block(axes: Axes, top: float, block: _Block) -> None:
     frames = draw_below_each_other(
         axes, _BESIDE_LEVEL, top, block.pictures[1:], _VERTICAL, block.scale
     )
-    draw_colour_bar(frames[-1], block.values, block.scale, block.name, BELOW, BAR_HEIGHT)
+    draw_colour_bar_below(frames[-1], block.values, block.scale, block.name, BELOW, BAR_HEIGHT)
 
 
 def _mark_sections(
