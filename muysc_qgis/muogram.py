@@ -67,6 +67,14 @@ class View(Described):
         """Return the flat index of the pixel in each direction, −1 outside."""
         raise NotImplementedError
 
+    def _nearest(self, right: np.ndarray, down: np.ndarray) -> np.ndarray:
+        """Return the flat index of the pixel at a distance from the first, in pixels."""
+        rows, columns = self.values.shape
+        with np.errstate(invalid="ignore"):
+            column, row = np.floor(right + 0.5), np.floor(down + 0.5)
+            inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+            return np.where(inside, row * columns + column, -1).astype(np.int64)
+
 
 @dataclass(frozen=True)
 class Muogram(View):
@@ -120,11 +128,7 @@ class Muogram(View):
         step_y = (top - bottom) / (rows - 1) if rows > 1 else 1.0
         # The turn that brings the azimuth into the muogram's own count, 350…370 say.
         turned = left - step_x / 2 + (azimuth_deg - left + step_x / 2) % 360.0
-        column = np.floor((turned - left) / step_x + 0.5)
-        with np.errstate(invalid="ignore"):
-            row = np.floor((top - elevation_deg) / step_y + 0.5)
-            inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
-            return np.where(inside, row * columns + column, -1).astype(np.int64)
+        return self._nearest((turned - left) / step_x, (top - elevation_deg) / step_y)
 
     def with_values(self, quantity: str, values: np.ndarray, **metadata: str | float) -> Muogram:
         """Return another quantity on the same directions, `metadata` added."""

@@ -114,11 +114,7 @@ class TrajectoryMap(View):
         """
         x, y = self.pointing.plane(azimuth_deg, elevation_deg)
         step_x, step_y = self.pixel_size
-        with np.errstate(invalid="ignore"):
-            column = np.floor((x - self.x[0]) / step_x + 0.5)
-            row = np.floor((self.y[0] - y) / step_y + 0.5)
-            inside = (column >= 0) & (column < len(self.x)) & (row >= 0) & (row < len(self.y))
-            return np.where(inside, row * len(self.x) + column, -1).astype(np.int64)
+        return self._nearest((x - self.x[0]) / step_x, (self.y[0] - y) / step_y)
 
     @property
     def pixel_size(self) -> tuple[float, float]:
