@@ -195,12 +195,41 @@ def test_too_few_iterations_are_told(lines):
     assert any("did not settle within 2 iterations" in text for text in result.warnings)
 
 
-def test_a_start_that_explains_the_data_is_told(dem, views):
+@pytest.fixture(scope="module")
+def uniform(dem, views):
+    """What is found where one density explains all."""
     data = read_survey(views("opacity"), [], dem)
     choices = TomographyChoices("sirt", relative_error=0.05)
-    result = tomography(data.stations, dem, PLAN, choices, rock=data.rock)
-    assert result.reconstruction.iterations_done == 0
-    assert any("One density of 2.4 g/cm³ explains the data" in text for text in result.warnings)
+    return tomography(data.stations, dem, PLAN, choices, rock=data.rock)
+
+
+def test_a_start_that_explains_the_data_is_told(uniform):
+    assert uniform.reconstruction.iterations_done == 0
+    assert any("One density of 2.4 g/cm³ explains the data" in text for text in uniform.warnings)
+
+
+def test_the_slice_shown_first_is_that_of_the_target_where_rays_see_it(uniform):
+    coverage, level = uniform.coverage.values, uniform.grid.level_at(uniform.target.z)
+    rays = np.nansum(coverage, axis=(0, 1))
+    busiest = int(np.argmax(rays))
+    assert level != busiest
+    assert rays[level] > 0.25 * rays[busiest]
+    assert uniform.shown_level == level
+    assert replace(uniform, target=None).shown_level == busiest
+    few = coverage.copy()
+    few[:, :, level] *= 0.2
+    assert replace(uniform, coverage=replace(uniform.coverage, values=few)).shown_level == busiest
+
+
+def test_colours_of_densities_are_about_the_reference_and_never_of_nothing(uniform):
+    """0.05 g/cm³ to both sides at the least, else as far as all but 2 % of the voxels."""
+    assert uniform.density_limits == pytest.approx((DENSITY - 0.05, DENSITY + 0.05), abs=1e-3)
+    values = uniform.density.values.copy()
+    known = np.flatnonzero(uniform.density.known)
+    values.flat[known[: len(known) // 2]] = DENSITY - 0.4
+    values.flat[known[-2:]] = 9.0
+    wide = replace(uniform, density=replace(uniform.density, values=values))
+    assert wide.density_limits == pytest.approx((DENSITY - 0.4, DENSITY + 0.4), abs=2e-3)
 
 
 def test_the_suggested_volume_holds_the_cone(dem, views):
