@@ -188,6 +188,25 @@ def test_one_station_is_warned_of(dem, views):
     assert any("one station only" in warning for warning in result.warnings)
 
 
+def test_what_is_left_is_told_in_shares_of_the_data(lines):
+    """Opacities that are by turns 10 % too large and too small, against rock of one density."""
+    turns = 1 + 0.1 * (-1.0) ** np.arange(len(lines.thickness_m))
+    opacity = lines.opacity(DENSITY * lines.inside_m * turns, DENSITY)
+    # So large an error that the start explains them all.
+    choices = TomographyChoices("sirt", Options(start=DENSITY), DENSITY)
+    result = reconstruct_volume(filled(lines, opacity, 10.0), choices)
+    off, data = 0.1 * DENSITY * lines.inside_m, DENSITY * lines.inside_m * turns
+    assert result.reconstruction.iterations_done == 0
+    assert result.relative_residual == pytest.approx(
+        np.sqrt(np.mean(off**2) / np.mean(data**2)), rel=1e-5
+    )
+    for number, one in enumerate(result.residuals):
+        own = lines.paths.rays.view == number
+        rms = np.sqrt(np.mean(off[own] ** 2))
+        assert one.rms == pytest.approx(100 * rms, rel=1e-5)
+        assert one.relative == pytest.approx(rms / np.sqrt(np.mean(data[own] ** 2)), rel=1e-5)
+
+
 def test_too_few_iterations_are_told(lines):
     opacity = 250.0 * lines.thickness_m * (1 + 0.1 * np.sin(np.arange(len(lines.thickness_m))))
     choices = TomographyChoices("bayes", Options(iterations=2, deviation=False))
