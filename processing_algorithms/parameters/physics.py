@@ -65,8 +65,8 @@ def physics_parameters(density: bool = True) -> list[QgsProcessingParameterDefin
         switch(
             "STRAGGLING", "Correct for straggling",
             "Whether to correct the flux for the fluctuations of the energy loss, which let more "
-            "muons through thick rock than the mean loss does: 3 % more vertical ones at 1 km water "
-            "equivalent, 13 % more at 3 km.",
+            "muons through thick rock than the mean loss does: 3 % more vertical ones at 1 km "
+            "water equivalent, 13 % more at 3 km.",
             True, advanced=True,
         ),
         switch(
