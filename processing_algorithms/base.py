@@ -11,6 +11,7 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeedback,
     QgsProcessingOutputDefinition,
+    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFolderDestination,
 )
@@ -35,8 +36,7 @@ GROUP_ICONS = ROOT / "icons" / "groups"
 class MuyscAlgorithm(QgsProcessingAlgorithm):
     """An algorithm that declares, converts, calls the library once and writes.
 
-    Subclasses set the class attributes and implement `declare`, `read` and `compute`;
-    `declare_outputs` adds the outputs that are no files.
+    Subclasses set the class attributes and implement `declare`, `read` and `compute`.
     """
 
     NAME = ""
@@ -44,6 +44,8 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
     GROUP = ""
     GROUP_ID = ""
     TAGS: tuple[str, ...] = ()
+    #: Name and label of every number that it returns.
+    NUMBERS: tuple[tuple[str, str], ...] = ()
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         """Return the parameters in the order of the dialog."""
@@ -51,6 +53,8 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
 
     def declare_outputs(self) -> None:
         """Add the outputs that are no destination parameters, through `addOutput`."""
+        for name, label in self.NUMBERS:
+            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Any:
         """Convert parameters to the library's types.

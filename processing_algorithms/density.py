@@ -9,7 +9,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterRasterLayer,
 )
@@ -68,6 +67,18 @@ class Density(MuyscAlgorithm):
     GROUP = "Radiography"
     GROUP_ID = "radiography"
     TAGS = ("muogram", "density", "opacity", "inversion", "counts", "transmission", "measurement")
+    NUMBERS = (
+        ("MEAN_DENSITY", "Mean density (g/cm³)"),
+        ("MEAN_DENSITY_ERROR", "Error of the mean density (g/cm³)"),
+        ("MEAN_DENSITY_STATISTICAL_ERROR", "Part of it from counting (g/cm³)"),
+        ("MEDIAN_DENSITY", "Median density (g/cm³)"),
+        ("ROCK_PIXELS", "Pixels with rock"),
+        ("DENSITY_PIXELS", "Pixels with a density"),
+        ("LIMIT_PIXELS", "Pixels with a lower limit"),
+        ("BRIGHT_PIXELS", "Pixels with rock as bright as the open sky"),
+        ("UNKNOWN_PIXELS", "Pixels that cannot be known"),
+        ("REGIONS", "Regions with a density of their own"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -137,21 +148,6 @@ class Density(MuyscAlgorithm):
                 "Picture of density and its error side by side, with contours, skyline and target."
             ),
         ]  # fmt: skip
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("MEAN_DENSITY", "Mean density (g/cm³)"),
-            ("MEAN_DENSITY_ERROR", "Error of the mean density (g/cm³)"),
-            ("MEAN_DENSITY_STATISTICAL_ERROR", "Part of it from counting (g/cm³)"),
-            ("MEDIAN_DENSITY", "Median density (g/cm³)"),
-            ("ROCK_PIXELS", "Pixels with rock"),
-            ("DENSITY_PIXELS", "Pixels with a density"),
-            ("LIMIT_PIXELS", "Pixels with a lower limit"),
-            ("BRIGHT_PIXELS", "Pixels with rock as bright as the open sky"),
-            ("UNKNOWN_PIXELS", "Pixels that cannot be known"),
-            ("REGIONS", "Regions with a density of their own"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         names = [name for name in _MEASURED if given(parameters, name)]

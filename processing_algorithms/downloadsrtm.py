@@ -11,7 +11,6 @@ from qgis.core import (
     QgsApplication,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterAuthConfig,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterExtent,
@@ -66,6 +65,13 @@ class DownloadSrtm(MuyscAlgorithm):
     GROUP = "Terrain"
     GROUP_ID = "terrain"
     TAGS = ("srtm", "dem", "elevation", "topography", "terrain", "copernicus", "download")
+    NUMBERS = (
+        ("TILES", "Tiles"),
+        ("CACHED_TILES", "Tiles from the cache"),
+        ("SEA_TILES", "Tiles taken as sea level"),
+        ("VOID_PIXELS", "Cells without a height"),
+        ("FILLED_PIXELS", "Cells that were filled"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -140,16 +146,6 @@ class DownloadSrtm(MuyscAlgorithm):
                 "in the tiles; cells without a height have no data.",
             ),
         ]  # fmt: skip
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("TILES", "Tiles"),
-            ("CACHED_TILES", "Tiles from the cache"),
-            ("SEA_TILES", "Tiles taken as sea level"),
-            ("VOID_PIXELS", "Cells without a height"),
-            ("FILLED_PIXELS", "Cells that were filled"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         read = (self, parameters)

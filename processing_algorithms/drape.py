@@ -8,7 +8,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterRasterLayer,
@@ -43,6 +42,7 @@ class Drape(MuyscAlgorithm):
     GROUP = "Radiography"
     GROUP_ID = "radiography"
     TAGS = ("muogram", "project", "georeference")
+    NUMBERS = (("CELLS", "Cells with a value"),)
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -64,9 +64,6 @@ class Drape(MuyscAlgorithm):
                 "the detector does not see have no data.",
             ),
         ]  # fmt: skip
-
-    def declare_outputs(self) -> None:
-        self.addOutput(QgsProcessingOutputNumber("CELLS", "Cells with a value"))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         path = raster_layer(self, parameters, "MUOGRAM", context).source()

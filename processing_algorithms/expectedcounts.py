@@ -9,7 +9,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
 )
 
@@ -74,6 +73,21 @@ class ExpectedCounts(MuyscAlgorithm):
     GROUP = "Telescope"
     GROUP_ID = "telescope"
     TAGS = ("counts", "exposure", "feasibility", "contrast", "resolution", "rate", "acceptance")
+    NUMBERS = (
+        ("TOTAL_RATE", "Muons along all known trajectories (per day)"),
+        ("ROCK_RATE", "Muons along trajectories behind rock (per day)"),
+        ("MEDIAN_COUNTS", "Median counts behind rock"),
+        ("MEDIAN_EXPOSURE", "Median exposure behind rock (days)"),
+        ("MEDIAN_DENSITY_RESOLUTION", "Median of the smallest visible contrast (%)"),
+        ("MEDIAN_CONTRAST_DAYS", "Median time to see the contrast (days)"),
+        ("TRAJECTORIES", "Trajectories or bins of them"),
+        ("ROCK_TRAJECTORIES", "Trajectories behind rock"),
+        ("UNKNOWN_TRAJECTORIES", "Trajectories without counts"),
+        ("BORESIGHT_AZIMUTH", "Boresight azimuth (°)"),
+        ("BORESIGHT_ELEVATION", "Boresight elevation (°)"),
+        ("DETECTOR_ELEVATION", "Detector elevation (m)"),
+        ("TARGET_DISTANCE", "Target distance (m)"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -91,24 +105,6 @@ class ExpectedCounts(MuyscAlgorithm):
                 "the counting error, the contrast that can be seen and the days that it takes."
             ),
         ]
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("TOTAL_RATE", "Muons along all known trajectories (per day)"),
-            ("ROCK_RATE", "Muons along trajectories behind rock (per day)"),
-            ("MEDIAN_COUNTS", "Median counts behind rock"),
-            ("MEDIAN_EXPOSURE", "Median exposure behind rock (days)"),
-            ("MEDIAN_DENSITY_RESOLUTION", "Median of the smallest visible contrast (%)"),
-            ("MEDIAN_CONTRAST_DAYS", "Median time to see the contrast (days)"),
-            ("TRAJECTORIES", "Trajectories or bins of them"),
-            ("ROCK_TRAJECTORIES", "Trajectories behind rock"),
-            ("UNKNOWN_TRAJECTORIES", "Trajectories without counts"),
-            ("BORESIGHT_AZIMUTH", "Boresight azimuth (°)"),
-            ("BORESIGHT_ELEVATION", "Boresight elevation (°)"),
-            ("DETECTOR_ELEVATION", "Detector elevation (m)"),
-            ("TARGET_DISTANCE", "Target distance (m)"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         geometry, formula, unused = read_geometry(self, parameters, context)

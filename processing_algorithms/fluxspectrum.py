@@ -9,7 +9,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterString,
@@ -78,6 +77,11 @@ class FluxSpectrum(MuyscAlgorithm):
     GROUP = "Radiography"
     GROUP_ID = "radiography"
     TAGS = ("spectrum", "flux", "energy loss", "stopping power", "transmission", "opacity")
+    NUMBERS = (
+        ("OPACITY", "Opacity of the thickness (g/cm²)"),
+        ("MINIMUM_ENERGY", "Minimum kinetic energy (GeV)"),
+        ("LARGEST_RATIO", "Largest over smallest flux of the models that hold"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         # One of the shared parameters becomes a list here.
@@ -126,14 +130,6 @@ class FluxSpectrum(MuyscAlgorithm):
                 "One HTML file with figures, parameters, numbers, every warning and how to cite.",
             ),
         ]  # fmt: skip
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("OPACITY", "Opacity of the thickness (g/cm²)"),
-            ("MINIMUM_ENERGY", "Minimum kinetic energy (GeV)"),
-            ("LARGEST_RATIO", "Largest over smallest flux of the models that hold"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         models = read_choices(self, parameters, "FLUX_MODELS", context)

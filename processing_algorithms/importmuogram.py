@@ -11,7 +11,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFile,
     QgsProcessingParameterPoint,
@@ -78,6 +77,11 @@ class ImportMuogram(MuyscAlgorithm):
     GROUP = "Radiography"
     GROUP_ID = "radiography"
     TAGS = ("muogram", "import", "table", "text", "csv", "counts", "measurement")
+    NUMBERS = (
+        ("PIXELS", "Pixels"),
+        ("UNKNOWN_PIXELS", "Pixels without a value"),
+        ("TOTAL", "Sum of the values"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -217,14 +221,6 @@ class ImportMuogram(MuyscAlgorithm):
                 "The standard errors, where the file holds any, on the same directions.",
             ),
         ]  # fmt: skip
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("PIXELS", "Pixels"),
-            ("UNKNOWN_PIXELS", "Pixels without a value"),
-            ("TOTAL", "Sum of the values"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         if not given(parameters, "INPUT"):

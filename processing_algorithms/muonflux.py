@@ -8,7 +8,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterRasterLayer,
 )
@@ -63,6 +62,12 @@ class MuonFlux(MuyscAlgorithm):
     GROUP = "Radiography"
     GROUP_ID = "radiography"
     TAGS = ("muogram", "thickness", "opacity", "flux", "exposure")
+    NUMBERS = (
+        ("MAX_THICKNESS", "Largest thickness (m)"),
+        ("ROCK_PIXELS", "Pixels with rock"),
+        ("UNKNOWN_PIXELS", "Pixels without a flux"),
+        ("MEDIAN_EXPOSURE", "Median exposure behind rock (days)"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -86,15 +91,6 @@ class MuonFlux(MuyscAlgorithm):
             *raster_outputs(_OUTPUTS, always=("FLUX",)),
             *document_outputs(),
         ]  # fmt: skip
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("MAX_THICKNESS", "Largest thickness (m)"),
-            ("ROCK_PIXELS", "Pixels with rock"),
-            ("UNKNOWN_PIXELS", "Pixels without a flux"),
-            ("MEDIAN_EXPOSURE", "Median exposure behind rock (days)"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         names = [name for name in ("THICKNESS", "OPACITY") if given(parameters, name)]

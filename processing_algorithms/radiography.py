@@ -8,7 +8,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsRasterLayer,
 )
@@ -92,6 +91,16 @@ class Radiography(MuyscAlgorithm):
     GROUP = "Radiography"
     GROUP_ID = "radiography"
     TAGS = ("muogram", "thickness", "opacity", "flux", "exposure", "simulation")
+    NUMBERS = (
+        ("MAX_THICKNESS", "Largest thickness (m)"),
+        ("DETECTOR_ELEVATION", "Detector elevation (m)"),
+        ("BORESIGHT_AZIMUTH", "Boresight azimuth (°)"),
+        ("BORESIGHT_ELEVATION", "Boresight elevation (°)"),
+        ("TARGET_DISTANCE", "Target distance (m)"),
+        ("ROCK_PIXELS", "Pixels with rock"),
+        ("UNKNOWN_PIXELS", "Pixels without a flux"),
+        ("MEDIAN_EXPOSURE", "Median exposure behind rock (days)"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -104,19 +113,6 @@ class Radiography(MuyscAlgorithm):
             footprint_output(),
             *document_outputs(),
         ]
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("MAX_THICKNESS", "Largest thickness (m)"),
-            ("DETECTOR_ELEVATION", "Detector elevation (m)"),
-            ("BORESIGHT_AZIMUTH", "Boresight azimuth (°)"),
-            ("BORESIGHT_ELEVATION", "Boresight elevation (°)"),
-            ("TARGET_DISTANCE", "Target distance (m)"),
-            ("ROCK_PIXELS", "Pixels with rock"),
-            ("UNKNOWN_PIXELS", "Pixels without a flux"),
-            ("MEDIAN_EXPOSURE", "Median exposure behind rock (days)"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Inputs:
         dem, layer = read_dem(self, parameters, context)

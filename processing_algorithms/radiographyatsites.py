@@ -11,7 +11,6 @@ import numpy as np
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsRasterLayer,
 )
@@ -81,6 +80,14 @@ class RadiographyAtSites(MuyscAlgorithm):
     GROUP = "Survey"
     GROUP_ID = "survey"
     TAGS = ("muogram", "thickness", "flux", "stations", "survey", "batch")
+    NUMBERS = (
+        ("SITES_DONE", "Sites with muograms"),
+        ("SITES_SKIPPED", "Sites skipped"),
+        ("MUOGRAMS", "Muograms written"),
+        ("MAX_THICKNESS", "Largest thickness from any site (m)"),
+        ("MEDIAN_EXPOSURE", "Median over the sites of the median exposure (days)"),
+        ("UNKNOWN_PIXELS", "Pixels without a flux from all sites"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -99,17 +106,6 @@ class RadiographyAtSites(MuyscAlgorithm):
             folder_output(),
             index_output(),
         ]  # fmt: skip
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("SITES_DONE", "Sites with muograms"),
-            ("SITES_SKIPPED", "Sites skipped"),
-            ("MUOGRAMS", "Muograms written"),
-            ("MAX_THICKNESS", "Largest thickness from any site (m)"),
-            ("MEDIAN_EXPOSURE", "Median over the sites of the median exposure (days)"),
-            ("UNKNOWN_PIXELS", "Pixels without a flux from all sites"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         read = (self, parameters)

@@ -9,7 +9,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingOutputString,
     QgsProcessingParameterDefinition,
 )
@@ -57,6 +56,12 @@ class ReconstructionBenchmark(MuyscAlgorithm):
     GROUP = "Tomography"
     GROUP_ID = "tomography"
     TAGS = ("tomography", "reconstruction", "Shepp-Logan", "phantom", "benchmark")
+    NUMBERS = (
+        ("BEST_ERROR", "Smallest relative error"),
+        ("BEST_SECONDS", "Time of that method (s)"),
+        ("GREY_ERROR", "Relative error of one grey level"),
+        ("MATRIX_SECONDS", "Time of the ray paths, once for all (s)"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -120,13 +125,7 @@ class ReconstructionBenchmark(MuyscAlgorithm):
 
     def declare_outputs(self) -> None:
         self.addOutput(QgsProcessingOutputString("BEST_METHOD", "Method of the smallest error"))
-        for name, label in (
-            ("BEST_ERROR", "Smallest relative error"),
-            ("BEST_SECONDS", "Time of that method (s)"),
-            ("GREY_ERROR", "Relative error of one grey level"),
-            ("MATRIX_SECONDS", "Time of the ray paths, once for all (s)"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
+        super().declare_outputs()
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         size = read_count(self, parameters, "SIZE", context)

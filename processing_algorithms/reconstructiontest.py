@@ -28,8 +28,8 @@ from ..muysc_qgis.workflows.volume_plan import VolumePlan
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.known_model import (
+    NUMBERS,
     known_model_outputs,
-    number_outputs,
     numbers,
     stage_known_model,
     write_stations,
@@ -81,6 +81,7 @@ class ReconstructionTest(MuyscAlgorithm):
     GROUP = "Tomography"
     GROUP_ID = "tomography"
     TAGS = ("muogram", "density", "3D", "voxel", "feasibility", "checkerboard", "resolution")
+    NUMBERS = NUMBERS
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         aperture = [one for one in aperture_parameters() if one.name() not in _RANGE]
@@ -110,10 +111,6 @@ class ReconstructionTest(MuyscAlgorithm):
                 "iteration and station, parameters, numbers, every warning and how to cite.",
             ),
         ]
-
-    def declare_outputs(self) -> None:
-        for one in number_outputs():
-            self.addOutput(one)
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         read = (self, parameters)

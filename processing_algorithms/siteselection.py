@@ -10,7 +10,6 @@ from typing import Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
 )
 
@@ -72,6 +71,14 @@ class SiteSelection(MuyscAlgorithm):
     GROUP = "Survey"
     GROUP_ID = "survey"
     TAGS = ("site", "survey", "candidates", "visibility", "suitability", "dask", "coverage")
+    NUMBERS = (
+        ("CANDIDATES_DONE", "Candidates"),
+        ("CANDIDATES_SEEING", "Candidates that see a part of the target"),
+        ("BEST_SCORE", "Highest score"),
+        ("BEST_EXPOSURE", "Days to the muons wanted at the best site"),
+        ("BEST_SHARE_SEEN", "Share of the target seen from the best site"),
+        ("COVERAGE", "Mean coverage of the azimuths by the telescopes that go together"),
+    )
 
     def __init__(self) -> None:
         super().__init__()
@@ -101,17 +108,6 @@ class SiteSelection(MuyscAlgorithm):
                 "target that the telescopes cover, and exposure times against the share seen."
             ),
         ]
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("CANDIDATES_DONE", "Candidates"),
-            ("CANDIDATES_SEEING", "Candidates that see a part of the target"),
-            ("BEST_SCORE", "Highest score"),
-            ("BEST_EXPOSURE", "Days to the muons wanted at the best site"),
-            ("BEST_SHARE_SEEN", "Share of the target seen from the best site"),
-            ("COVERAGE", "Mean coverage of the azimuths by the telescopes that go together"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         read = (self, parameters)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFileDestination,
 )
@@ -55,6 +54,16 @@ class Telescope(MuyscAlgorithm):
     GROUP = "Telescope"
     GROUP_ID = "telescope"
     TAGS = ("acceptance", "solid angle", "detector", "hodoscope", "geometric factor", "aperture")
+    NUMBERS = (
+        ("MAX_ACCEPTANCE", "Largest acceptance of a trajectory (cm² sr)"),
+        ("MAX_SOLID_ANGLE", "Largest solid angle of a trajectory (sr)"),
+        ("MAX_DETECTION_AREA", "Largest detection area (cm²)"),
+        ("APERTURE", "Half aperture across (°)"),
+        ("APERTURE_Y", "Half aperture up (°)"),
+        ("ANGULAR_STEP", "Angle from one trajectory to the next (mrad)"),
+        ("TRAJECTORIES", "Trajectories"),
+        ("ETENDUE", "Étendue, all acceptances together (cm² sr)"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         panel, report = document_outputs(
@@ -75,19 +84,6 @@ class Telescope(MuyscAlgorithm):
             ),
             report,
         ]
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("MAX_ACCEPTANCE", "Largest acceptance of a trajectory (cm² sr)"),
-            ("MAX_SOLID_ANGLE", "Largest solid angle of a trajectory (sr)"),
-            ("MAX_DETECTION_AREA", "Largest detection area (cm²)"),
-            ("APERTURE", "Half aperture across (°)"),
-            ("APERTURE_Y", "Half aperture up (°)"),
-            ("ANGULAR_STEP", "Angle from one trajectory to the next (mrad)"),
-            ("TRAJECTORIES", "Trajectories"),
-            ("ETENDUE", "Étendue, all acceptances together (cm² sr)"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         geometry, formula, notes = read_geometry(self, parameters, context)

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
 )
 
@@ -55,6 +54,16 @@ class TomographyAlgorithm(MuyscAlgorithm):
     GROUP = "Tomography"
     GROUP_ID = "tomography"
     TAGS = ("muogram", "density", "3D", "voxel", "inversion", "reconstruction", "volume")
+    NUMBERS = (
+        ("RESIDUAL", "Residual over data"),
+        ("CHI_SQUARED", "Mean square of residuals over their errors"),
+        ("ITERATIONS_DONE", "Iterations done"),
+        ("MEAN_DENSITY", "Mean density of the voxels (g/cm³)"),
+        ("REFERENCE", "Reference density used (g/cm³)"),
+        ("RAYS", "Rays used"),
+        ("VOXELS_SEEN", "Voxels with a density"),
+        ("VOXELS_UNSEEN", "Voxels with rock that no ray passes"),
+    )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
@@ -83,19 +92,6 @@ class TomographyAlgorithm(MuyscAlgorithm):
                 "numbers, every warning and how to cite.",
             ),
         ]  # fmt: skip
-
-    def declare_outputs(self) -> None:
-        for name, label in (
-            ("RESIDUAL", "Residual over data"),
-            ("CHI_SQUARED", "Mean square of residuals over their errors"),
-            ("ITERATIONS_DONE", "Iterations done"),
-            ("MEAN_DENSITY", "Mean density of the voxels (g/cm³)"),
-            ("REFERENCE", "Reference density used (g/cm³)"),
-            ("RAYS", "Rays used"),
-            ("VOXELS_SEEN", "Voxels with a density"),
-            ("VOXELS_UNSEEN", "Voxels with rock that no ray passes"),
-        ):
-            self.addOutput(QgsProcessingOutputNumber(name, label))
 
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         read = (self, parameters)

@@ -9,7 +9,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
-    QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterRasterDestination,
@@ -29,7 +28,7 @@ from .volume import stage_volume
 TRUTH, STATIONS, TABLE = "TRUTH", "STATIONS", "TABLE"
 
 #: What is declared as a number, told in the table and logged: output, label with unit.
-_NUMBERS = (
+NUMBERS = (
     ("CONTRAST", "Contrast found over the true one"),
     ("RELATIVE_L2", "Relative error of the densities"),
     ("SPREAD", "Standard deviation of the errors (g/cm³)"),
@@ -49,11 +48,6 @@ _NUMBERS = (
     ("CHI_SQUARED", "Mean square of residuals over their errors"),
     ("ITERATIONS_DONE", "Iterations done"),
 )
-
-
-def number_outputs() -> list[QgsProcessingOutputNumber]:
-    """Declare the numbers."""
-    return [QgsProcessingOutputNumber(name, label) for name, label in _NUMBERS]
 
 
 def known_model_outputs() -> list[QgsProcessingParameterDefinition]:
@@ -118,7 +112,7 @@ def stage_known_model(
         results[TRUTH] = path
     table = table_destination(algorithm, parameters, TABLE, context)
     if table is not None:
-        rows: list[tuple[str, float]] = [(label, values[name]) for name, label in _NUMBERS]
+        rows: list[tuple[str, float]] = [(label, values[name]) for name, label in NUMBERS]
         for body in found.bodies:
             rows.append((f"Body {body.name}: contrast found over the true one", body.contrast))
             rows.append((f"Body {body.name}: voxels", body.voxels))
