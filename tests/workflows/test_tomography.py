@@ -10,6 +10,7 @@ from muysc_qgis.tomography.figures_of_merit import contrast_recovered
 from muysc_qgis.tomography.operators import projector_of
 from muysc_qgis.tomography.phantoms import conduit, share_inside, with_body
 from muysc_qgis.tomography.solvers import Options
+from muysc_qgis.topography.frame import from_wgs84
 from muysc_qgis.trajectories import TrajectoryMap
 from muysc_qgis.workflows import tomography as workflow
 from muysc_qgis.workflows.muogram_data import bare_stations, read_survey
@@ -205,6 +206,20 @@ def test_what_is_left_is_told_in_shares_of_the_data(lines):
         rms = np.sqrt(np.mean(off[own] ** 2))
         assert one.rms == pytest.approx(100 * rms, rel=1e-5)
         assert one.relative == pytest.approx(rms / np.sqrt(np.mean(data[own] ** 2)), rel=1e-5)
+
+
+def test_priors_and_volumes_that_do_not_suit_the_air_and_the_rock_are_warned_of(dem, views):
+    data = read_survey(views("opacity"), [], dem)
+    x, y = from_wgs84(projection_of(data.stations, dem), *CRATER)
+    little = replace(PLAN, extent=(x - 200, x + 200, y - 200, y + 200))
+    choices = TomographyChoices(
+        "bayes", Options(iterations=2, deviation=False), relative_error=0.05, mask=False
+    )
+    result = tomography(data.stations, dem, little, choices, rock=data.rock)
+    assert any("expects rock of the reference density where there is air" in one
+               for one in result.warnings)  # fmt: skip
+    (outside,) = (one for one in result.warnings if "is outside the volume and taken" in one)
+    assert 50 < int(outside.split(" %")[0]) < 100
 
 
 def test_too_few_iterations_are_told(lines):
