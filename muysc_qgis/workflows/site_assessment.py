@@ -45,8 +45,10 @@ class SurveyPlan:
     dem: Dem
     #: (x, y) in the DEM's CRS.
     target: tuple[float, float]
+    #: Above ground.
     target_height_m: float
     detector_height_m: float
+    #: What each candidate looks with.
     view: ViewSettings
     #: Radius of the target body, and its depth below the ground at the target.
     radius_m: float = 300.0
