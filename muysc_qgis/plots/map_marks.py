@@ -21,6 +21,9 @@ _LONGEST = 0.25
 #: Lower left corner of the bar, as a share of the map.
 _LEFT, _BOTTOM = 0.03, 0.035
 
+#: Drawing order of bar and arrow: on areas and lines, below what marks a place.
+_ORDER = 5.5
+
 
 def draw_surroundings(axes: Axes, size_in: tuple[float, float], east: str, north: str) -> None:
     """Draw scales, scale bar and north arrow; the limits must be set.
@@ -58,7 +61,7 @@ def _draw_scale_bar(axes: Axes) -> None:
     west, east = axes.get_xlim()
     length = bar_length(_LONGEST * (east - west))
     share = length / (east - west)
-    look = {"transform": axes.transAxes, "zorder": 8}
+    look = {"transform": axes.transAxes, "zorder": _ORDER}
     axes.add_patch(
         Rectangle(
             (_LEFT - 0.015, _BOTTOM - 0.018), share + 0.03, 0.075,
@@ -85,5 +88,5 @@ def _draw_north(axes: Axes) -> None:
         "N", xy=(0.955, 0.975), xytext=(0.955, 0.885), xycoords="axes fraction",
         ha="center", va="center", fontsize=style.HEADING_SIZE, fontweight="bold", color=style.INK,
         arrowprops={"arrowstyle": "-|>", "color": style.INK, "linewidth": 1.4},
-        bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 2}, zorder=8,
+        bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "none", "pad": 2}, zorder=_ORDER,
     )  # fmt: skip

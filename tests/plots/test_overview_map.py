@@ -100,6 +100,16 @@ def test_the_scale_bar_is_as_long_as_it_says(cone):
     assert share * np.ptp(axes.get_xlim()) == pytest.approx(float(label.split()[0]))
 
 
+def test_bar_and_arrow_hide_neither_detector_nor_target(cone):
+    axes = overview_map(cone, (1000.0, 1200.0)).axes[0]
+    detector, _, target = axes.lines
+    names = [text for text in axes.texts if text.get_text() in ("N", "1 km")]
+    boxes = [patch for patch in axes.patches if isinstance(patch, Rectangle)]
+    assert (len(names), len(boxes)) == (2, 3)
+    highest = max(one.get_zorder() for one in (*names, *boxes))
+    assert highest < min(detector.get_zorder(), target.get_zorder())
+
+
 @pytest.mark.parametrize(
     ("longest", "length"),
     [(1.0, 1.0), (1.9, 1.0), (2.0, 2.0), (4.9, 2.0), (0.07, 0.05), (9.0, 5.0)],
