@@ -25,6 +25,9 @@ _LOOKS = (
 
 _HEIGHT = 8.1
 
+#: Name of a telescope that is none of the presets.
+_OWN = "this telescope"
+
 #: Telescopes drawn side by side.
 _COLUMNS = 3
 
@@ -47,7 +50,7 @@ def comparison_panel(geometry: TelescopeGeometry, name: str, formula: str) -> Fi
         If matplotlib is missing.
     """
     entries = {preset.title: preset.geometry for preset in PRESETS.values()}
-    chosen = PRESETS[name].title if name in PRESETS else "this telescope"
+    chosen = PRESETS[name].title if name in PRESETS else _OWN
     entries.setdefault(chosen, geometry)
     collected = {title: trajectories(one, formula) for title, one in entries.items()}
     looks = dict(zip(entries, _LOOKS))
@@ -151,8 +154,10 @@ def _resolutions(
             color=looks[title][0], zorder=3, clip_on=False,
         )  # fmt: skip
         axes.annotate(
-            title, (x, y), xytext=(7, -2), textcoords="offset points", fontsize=style.TICK_SIZE,
-            fontweight="bold" if title == chosen else "normal", color=style.INK, va="top",
+            # Presets keep clear of each other below their marks.
+            title, (x, y), xytext=(7, 2 if title == _OWN else -2), textcoords="offset points",
+            fontsize=style.TICK_SIZE, fontweight="bold" if title == chosen else "normal",
+            color=style.INK, va="bottom" if title == _OWN else "top",
         )  # fmt: skip
     axes.set_xscale("log")
     axes.set_yscale("log")
