@@ -105,6 +105,21 @@ def test_shares_of_a_polygon_with_a_hole_add_up_to_its_area():
     assert density[8, 8] == pytest.approx(ROCK)
 
 
+def test_cubes_and_spheres_are_as_large_as_asked_for_and_in_the_middle():
+    frame = VolumeFrame.around(CRS, MIDDLE)
+    grid = VoxelGrid((-400, -400, 900), (50, 50, 50), (16, 16, 8))
+    board = KnownModel("checkerboard", ROCK, 2.0, edge_m=100.0)
+    density, _ = density_in(grid, board.bodies(frame, grid), ROCK)
+    assert density[:4, 0, 0] == pytest.approx([ROCK, ROCK, 2.0, 2.0])
+    assert density[0, 0, :4] == pytest.approx([ROCK, ROCK, 2.0, 2.0])
+    ball = KnownModel("sphere", ROCK, 2.0, radius_m=150.0, centre=MIDDLE)
+    _, (share,) = density_in(grid, ball.bodies(frame, grid), ROCK)
+    assert share.sum() * grid.volume_m3 == pytest.approx(4 / 3 * np.pi * 150**3, rel=0.01)
+    assert share.ravel() @ grid.all_centres_m() / share.sum() == pytest.approx(
+        [0, 0, 1100], abs=1e-6
+    )
+
+
 def test_without_noise_one_density_is_found_everywhere(stations, dem):
     found = find(stations, dem, KnownModel("uniform", ROCK))
     assert found.relative_error < 1e-4
