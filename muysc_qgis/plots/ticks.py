@@ -43,7 +43,8 @@ def round_step(span: float, count: int) -> float:
 
 def multiples(low: float, high: float, step: float) -> np.ndarray:
     """Return the multiples of `step` from `low` to `high`, both included."""
-    slack = 1e-9 * max(abs(low), abs(high), step) / step
+    # No more than that, however small the range is beside its ends.
+    slack = min(1e-9 * max(abs(low), abs(high), step) / step, 0.1)
     return step * np.arange(np.ceil(low / step - slack), np.floor(high / step + slack) + 1)
 
 

@@ -27,6 +27,13 @@ def test_multiples_include_both_ends():
     assert ticks.multiples(1.1, 1.9, 1.0).size == 0
 
 
+@pytest.mark.parametrize("span", [1e3, 1e-1, 1e-3])
+def test_a_narrow_range_far_from_zero_has_few_multiples(span):
+    low, high = 1.81e12, 1.81e12 + span
+    step = ticks.round_step(high - low, 5)
+    assert 1 <= ticks.multiples(low, high, step).size <= 6
+
+
 @pytest.mark.parametrize("span", [0.5, 1.0, 8.0, 22.0, 42.0, 90.0, 180.0, 360.0])
 def test_zenith_and_elevation_ticks_stand_on_the_same_lines(span):
     zenith = ticks.angle_ticks(80.0 - span, 80.0, 8)
