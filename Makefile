@@ -41,7 +41,7 @@ fuzz: .venv/ready ## Try hostile parameters and files (FUZZ_SECONDS=300, FUZZ_SE
 		$(VENV_PYTHON) -m pytest --capture=no tests/fuzz $(ARGS)
 
 soak: packages ## Run a thousand radiographies in one process and watch its memory
-	@$(PYTHON) tools/soak.py
+	@$(PYTHON) -m tools.soak
 
 qgis: packages ## Open QGIS with the plugin and Vesuvius, in a profile of its own
 	@tools/desktop

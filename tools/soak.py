@@ -11,10 +11,7 @@ import tempfile
 import time
 from pathlib import Path
 
-if __package__:
-    from .fuzzing.worker import Runner, load_plugin, start_qgis
-else:
-    from fuzzing.worker import Runner, load_plugin, start_qgis
+from .fuzzing.worker import Runner, load_plugin, start_qgis
 
 ROOT = Path(__file__).resolve().parent.parent
 RUNS = 1000
