@@ -14,8 +14,6 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from muysc_qgis.plots.style import png_bytes
 from muysc_qgis.plots.tomography.known_model_panel import known_model_panel
 from muysc_qgis.radiography.aperture import Aperture
@@ -187,11 +185,9 @@ def vesuvius(pixels: int, voxels: int) -> int:
     """Reconstruct a conduit, and a mountain without one, with the default prior."""
     wrong = 0
     ring = Ring(VESUVIUS_RADIUS_M, STATIONS, tolerance_m=VESUVIUS_TOLERANCE_M, sees_target=False)
-    edge = 2 * VESUVIUS_HALF_M / voxels
-    levels = int(np.ceil((VESUVIUS_TOP_M - VESUVIUS_BASE_M) / edge))
     scene = setup(
         "vesuvius_srtmgl1.tif", VESUVIUS, ring, VESUVIUS_HALF_M, VESUVIUS_BASE_M,
-        VESUVIUS_BASE_M + levels * edge, pixels, (voxels, voxels, levels),
+        VESUVIUS_TOP_M, pixels, (voxels, voxels, voxels),
     )  # fmt: skip
     choices = TomographyChoices(
         "bayes", Options(prior_deviation=0.2, correlation_length_m=200.0), ROCK, length_error_m=2.0
