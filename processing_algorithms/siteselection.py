@@ -168,7 +168,7 @@ class SiteSelection(MuyscAlgorithm):
         feedback.pushInfo(f"{len(candidates)} candidates keep to all limits.")
         for limit, count in candidates.removed.items():
             if count:
-                feedback.pushInfo(f"  {count} places are {limit}")
+                feedback.pushInfo(f"  Left out because {limit}: {count}")
         try:
             selection = select_sites(
                 inputs.plan,
