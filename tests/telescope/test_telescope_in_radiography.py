@@ -46,6 +46,11 @@ def test_each_pixel_has_the_exposure_of_its_direction():
     assert metadata["BARS_X"] == 6
 
 
+def test_what_must_be_known_of_the_telescope_is_among_the_warnings():
+    result = through_rock(ROCK, Physics(), Telescope(6.0, 10.0, notes=("Planes are 10 cm thick.",)))
+    assert result.warnings[0] == "Planes are 10 cm thick."
+
+
 def test_without_a_boresight_the_telescope_has_no_direction():
     bare = Muogram("thickness", ROCK.values, ROCK.azimuth_deg, ROCK.elevation_deg, {})
     with pytest.raises(MuyscError, match="BORESIGHT_ELEVATION"):
