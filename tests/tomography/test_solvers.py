@@ -310,6 +310,17 @@ def test_rays_without_data_or_rock_are_left_out(truth):
     )  # fmt: skip
     with pytest.raises(MuyscError, match="None of the 1 rays crosses rock"):
         reconstruct("sirt", lost)
+    unsure = system_of(truth, errors=np.where(np.arange(400) % 4 == 0, 0.0, 1.0))
+    assert len(unsure.usable().data) == 300
+
+
+@pytest.mark.parametrize("name", ["art", "bart", "sart", "sirt", "mlem", "osem", "ospml-quad"])
+def test_what_no_ray_meets_stays_as_it_was(name, truth):
+    system = system_of(truth, paths=StoredPaths(path_matrix(paths_of(3))))
+    values = reconstruct(name, system, Options(start=1.0, regularization=0.0)).values
+    unseen = system.paths.coverage() == 0
+    assert np.count_nonzero(unseen) > 10
+    assert values[unseen] == pytest.approx(np.ones(unseen.sum()))
 
 
 def test_noisy_rays_count_less(truth):
