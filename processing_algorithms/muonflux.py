@@ -17,6 +17,7 @@ from ..muysc_qgis.muogram import Muogram
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.workflows.flux_spread import with_flux_spread
+from ..muysc_qgis.workflows.provenance import altitude_of
 from ..muysc_qgis.workflows.simulation import Telescope, through_rock
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_documents
@@ -105,9 +106,9 @@ class MuonFlux(MuyscAlgorithm):
                 f"{names[0]} is a muogram of {rock.quantity}; choose one of {names[0].lower()}."
             )
         physics = read_physics(self, parameters, context)
-        altitude = read_optional(self, parameters, "DETECTOR_ELEVATION", context)
-        if altitude is None:
-            altitude = rock.number("DETECTOR_ELEVATION") if physics.altitude_correction else 0.0
+        altitude = altitude_of(
+            rock, physics, read_optional(self, parameters, "DETECTOR_ELEVATION", context)
+        )
         return _Inputs(path, rock, altitude, physics, read_telescope(self, parameters, context))
 
     def compute(
