@@ -23,7 +23,7 @@ from ..muysc_qgis.progress import Progress
 from ..muysc_qgis.staging import Staging, check_destination
 from ..muysc_qgis.translation import language, tr
 from .language import translated
-from .outputs.layers import file_of
+from .outputs.layers import file_of, files_read
 
 ROOT = Path(__file__).resolve().parent.parent
 HELP_FOLDER = Path(__file__).parent / "help"
@@ -145,7 +145,7 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
         try:
             with staging:
                 inputs = self.read(parameters, context)
-                self._check_destinations(parameters)
+                self._check_destinations(parameters, context)
                 results = self.compute(inputs, parameters, context, feedback, staging)
                 staging.commit()
         except MuyscError as error:
@@ -164,14 +164,22 @@ class MuyscAlgorithm(QgsProcessingAlgorithm):
             ) from None
         return {name: _plain(value) for name, value in results.items()}
 
-    def _check_destinations(self, parameters: dict[str, Any]) -> None:
-        """Refuse destinations that cannot be written before anything is computed."""
+    def _check_destinations(
+        self, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> None:
+        """Refuse destinations that cannot be written, or are read, before anything is computed."""
+        inputs = tuple(
+            file
+            for definition in self.parameterDefinitions()
+            if not definition.isDestination()
+            for file in files_read(parameters.get(definition.name()), context)
+        )
         for definition in self.parameterDefinitions():
             if isinstance(definition, QgsProcessingParameterFolderDestination):
                 continue  # the files in it are checked when they are staged
             path = file_of(parameters.get(definition.name()))
             if definition.isDestination() and path is not None:
-                check_destination(path)
+                check_destination(path, inputs)
 
     def _warn_of_undeclared(
         self, parameters: dict[str, Any], feedback: QgsProcessingFeedback

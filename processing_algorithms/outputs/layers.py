@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -11,9 +12,11 @@ from qgis.core import (
     QgsFeature,
     QgsFeatureSink,
     QgsFields,
+    QgsMapLayer,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingException,
+    QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputLayerDefinition,
     QgsProcessingUtils,
     QgsProperty,
@@ -101,6 +104,20 @@ def file_of(value: Any) -> Path | None:
         return None
     path = Path(value)
     return path.absolute() if path.is_absolute() or path.suffix else None
+
+
+def files_read(value: Any, context: QgsProcessingContext) -> list[str]:
+    """Return the files that an input parameter names, by path or by layer."""
+    if isinstance(value, list):
+        return [file for one in value for file in files_read(one, context)]
+    if isinstance(value, QgsProcessingFeatureSourceDefinition):
+        value = value.source.staticValue()
+    if isinstance(value, str) and context.project() is not None:
+        # The toolbox names layers by their identifiers.
+        value = context.project().mapLayer(value) or value
+    source = value.source() if isinstance(value, QgsMapLayer) else value
+    path = source.partition("|")[0] if isinstance(source, str) else ""
+    return [path] if os.path.isfile(path) else []
 
 
 def _redirected(value: Any, path: Path) -> Any:

@@ -107,6 +107,18 @@ def test_the_index_names_files_that_exist_and_numbers_that_hold(run, survey):
     assert len(list(folder.glob("*.tif"))) == len(list(folder.glob("*.qml"))) == 6
 
 
+@pytest.mark.parametrize("named_by", ["path", "layer"])
+def test_the_index_may_not_replace_the_sites(run, survey, named_by):
+    from qgis.core import QgsProcessingException, QgsVectorLayer
+
+    before = Path(survey["SITES"]).read_bytes()
+    layer = QgsVectorLayer(survey["SITES"], "sites")
+    sites = layer if named_by == "layer" else survey["SITES"]
+    with pytest.raises(QgsProcessingException, match=r"sites\.gpkg is the input itself; choose"):
+        run("radiographyatsites", {**survey, "SITES": sites, "INDEX": survey["SITES"]})
+    assert Path(survey["SITES"]).read_bytes() == before
+
+
 def test_the_index_lies_where_the_sites_are(run, survey, tmp_path):
     moved = write_sites(tmp_path / "utm.gpkg", epsg=32633)
     done = run("radiographyatsites", {**survey, "SITES": moved})
