@@ -45,7 +45,7 @@ def coverage(azimuth_deg: np.ndarray, score: np.ndarray, width_deg: float) -> np
     """Return how well each azimuth around a target is seen from some sites, (360,).
 
     max over the sites of score × max(0, 1 − |Δ|/w), where Δ is the angle between the azimuth and
-    that of the site, and w the width.
+    that of the site, and w the width, at least the degree from one azimuth to the next.
 
     Parameters
     ----------
@@ -55,7 +55,9 @@ def coverage(azimuth_deg: np.ndarray, score: np.ndarray, width_deg: float) -> np
         Angle beyond which a site says nothing.
     """
     turn = np.abs((AZIMUTHS_DEG[None, :] - azimuth_deg[:, None] + 180.0) % 360.0 - 180.0)
-    worth = score[:, None] * np.maximum(1.0 - turn / width_deg, 0.0)
+    # Narrower, a site between two azimuths would cover neither.
+    width = max(width_deg, 1.0)
+    worth = score[:, None] * np.maximum(1.0 - turn / width, 0.0)
     return np.max(worth, axis=0, initial=0.0)
 
 

@@ -58,6 +58,12 @@ def test_telescopes_that_add_nothing_are_left_out():
     assert len(means) == 1
 
 
+def test_a_site_between_two_azimuths_covers_some_of_both():
+    chosen, means = telescope_set(np.array([10.5]), np.array([0.7]), 1, 1e-9)
+    assert chosen == [0]
+    assert means == pytest.approx([2 * 0.7 * 0.5 / 360])
+
+
 def test_an_impossible_width_is_refused():
     with pytest.raises(MuyscError, match="angle of 400°"):
         telescope_set(np.array([1.0]), np.array([1.0]), 1, 400.0)
