@@ -15,6 +15,9 @@ from .voxels import VoxelGrid
 #: Correlation lengths kept between a volume and its periodic image (exp(−4) = 2 %).
 _APART = 4.0
 
+#: Standard deviations (g/cm³) and correlation lengths (m) whose squares and shares are numbers.
+_PRIOR_RANGE = (1e-6, 1e9)
+
 
 @dataclass(frozen=True)
 class Lattice:
@@ -96,12 +99,14 @@ class Lattice:
         Raises
         ------
         MuyscError
-            If the standard deviation or the length is not above 0.
+            If the standard deviation or the length is too small or too large to reckon with.
         """
-        if not (deviation > 0 and length_m > 0):
+        least, most = _PRIOR_RANGE
+        if not (least <= deviation <= most and least <= length_m <= most):
             raise MuyscError(
                 f"The prior has a standard deviation of {deviation:g} and a correlation length of "
-                f"{length_m:g} m, which must both be above 0; give larger ones."
+                f"{length_m:g} m, which must both be above 0, {least:g} at least and {most:g} at "
+                "most; give others."
             )
         return _Covariance(self, deviation, length_m)
 

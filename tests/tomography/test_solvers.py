@@ -391,6 +391,8 @@ def test_progress_never_falls_and_ends_at_one(name, truth):
         (lambda s: System(s.paths, s.data, Lattice((1.0,), np.ones(3, bool)), s.view),
          "48 unknowns and the lattice 3"),
         (lambda s: s.lattice.covariance(0.1, 0), "correlation length of 0 m"),
+        (lambda s: s.lattice.covariance(0.1, 1e-300), r"1e-06 at least"),
+        (lambda s: s.lattice.covariance(3e162, 100.0), r"deviation of 3e\+162 and"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_solved_is_refused(make, message, truth):
