@@ -11,9 +11,9 @@ import tempfile
 import time
 from pathlib import Path
 
-from .fuzzing.worker import Runner, load_plugin, start_qgis
+from .declared import ROOT, load_provider
+from .fuzzing.worker import Runner, offline_qgis
 
-ROOT = Path(__file__).resolve().parent.parent
 RUNS = 1000
 #: Runs until everything that is loaded once is loaded.
 WARM = 100
@@ -31,8 +31,8 @@ def main() -> int:
     """Return 1 if memory grows."""
     runs = int(sys.argv[1]) if len(sys.argv) > 1 else RUNS
     with tempfile.TemporaryDirectory() as folder:
-        application = start_qgis(Path(folder))
-        runner = Runner(load_plugin().provider)
+        application = offline_qgis(Path(folder))
+        runner = Runner(load_provider())
         case = {
             "algorithm": "radiography",
             "patience_s": 600,

@@ -7,7 +7,6 @@ line that goes out is the catalogue of the algorithms.
 from __future__ import annotations
 
 import faulthandler
-import importlib.util
 import json
 import os
 import resource
@@ -18,39 +17,22 @@ import warnings
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-#: The package name is the folder's name, whatever that is.
-ALIAS = "muysc_under_fuzzing"
+from ..declared import load_provider, start_qgis
+
 #: Enough for every sane case; a header that promises more must end in a sentence.
 MEMORY_BYTES = 8 * 2**30
 
 
-def start_qgis(profile: Path) -> Any:
+def offline_qgis(profile: Path) -> Any:
     """Return QGIS without windows, which reaches no network."""
-    os.environ.update(
-        QT_QPA_PLATFORM="offscreen", QGIS_CUSTOM_CONFIG_PATH=str(profile), HOME=str(profile),
-        XDG_RUNTIME_DIR=str(profile), XDG_CACHE_HOME=str(profile / "cache"),
-    )  # fmt: skip
-    from qgis.core import QgsApplication, QgsNetworkAccessManager
+    from qgis.core import QgsNetworkAccessManager
     from qgis.PyQt.QtNetwork import QNetworkProxy
 
-    application = QgsApplication([], False, str(profile))
-    application.initQgis()
+    os.environ.update(HOME=str(profile), XDG_CACHE_HOME=str(profile / "cache"))
+    application = start_qgis(str(profile))
     nowhere = QNetworkProxy(QNetworkProxy.ProxyType.HttpProxy, "127.0.0.1", 1)
     QgsNetworkAccessManager.instance().setFallbackProxyAndExcludes(nowhere, [], [])
     return application
-
-
-def load_plugin() -> Any:
-    """Return the plugin with its provider, as QGIS loads it."""
-    spec = importlib.util.spec_from_file_location(
-        ALIAS, ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
-    )
-    package = sys.modules[ALIAS] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(package)
-    plugin = package.classFactory(None)
-    plugin.initProcessing()
-    return plugin
 
 
 def described(definition: Any) -> dict[str, Any]:
@@ -97,6 +79,7 @@ class Runner:
     """Runs one case after another."""
 
     def __init__(self, provider: Any) -> None:
+        self._provider = provider  # models find no algorithms without it
         self._algorithms = {one.name(): one for one in provider.algorithms()}
 
     def catalogue(self) -> dict[str, list[dict[str, Any]]]:
@@ -161,9 +144,8 @@ def main() -> None:
     os.dup2(2, 1)
     faulthandler.enable()
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-    application = start_qgis(Path(sys.argv[1]))
-    plugin = load_plugin()
-    runner = Runner(plugin.provider)
+    application = offline_qgis(Path(sys.argv[1]))
+    runner = Runner(load_provider())
     print(json.dumps(runner.catalogue()), file=answers, flush=True)
     for line in sys.stdin:
         print(json.dumps(runner.run(json.loads(line))), file=answers, flush=True)
