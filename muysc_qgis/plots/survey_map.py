@@ -27,6 +27,8 @@ _BEYOND = 1.04
 _CELLS = 400
 #: Pixels of the terrain along a side.
 _RELIEF_PIXELS = 420
+#: How much of the terrain shows through the cells.
+_TERRAIN_SHARE = 0.15
 
 #: Best sites that get a number on the map.
 _NUMBERED = 10
@@ -94,7 +96,8 @@ class SurveyMap:
             Key of the selection's numbers.
         """
         half = self.half_m / 1e3
-        axes.imshow(shaded(self.relief), extent=(-half, half, -half, half), zorder=1)
+        terrain, extent = shaded(self.relief), (-half, half, -half, half)
+        axes.imshow(terrain, extent=extent, zorder=1)
         values = self.selection.map_of(number)
         scale = colour_scale(values, QUANTITIES[quantity])
         step = -(-max(values.shape) // _CELLS)
@@ -105,9 +108,11 @@ class SurveyMap:
         rows, columns = cells.shape
         axes.pcolormesh(
             corners[0][: rows + 1, : columns + 1], corners[1][: rows + 1, : columns + 1],
-            np.ma.masked_invalid(cells), norm=scale.norm, cmap=scale.cmap, alpha=0.85,
+            np.ma.masked_invalid(cells), norm=scale.norm, cmap=scale.cmap,
             antialiased=False, zorder=2, rasterized=True,
         )  # fmt: skip
+        # Over opaque cells: edges of cells that are not opaque would be seen twice.
+        axes.imshow(terrain, extent=extent, alpha=_TERRAIN_SHARE, zorder=3)
         axes.set(xlim=(-half, half), ylim=(-half, half), aspect="equal")
         style.style_axes(axes)
         return scale
