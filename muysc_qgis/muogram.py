@@ -25,6 +25,20 @@ _NARROWEST = 1e-9
 _AXIS_TOLERANCE = 1e-6
 
 
+def finite_number(entry: str | float) -> float:
+    """Return an entry of metadata as a number.
+
+    Raises
+    ------
+    ValueError
+        If it is none, infinite or NaN.
+    """
+    value = float(entry)
+    if not np.isfinite(value):
+        raise ValueError(entry)
+    return value
+
+
 class Described:
     """What a raster of one quantity says about itself."""
 
@@ -42,10 +56,10 @@ class Described:
         Raises
         ------
         MuyscError
-            If the entry is missing or no number.
+            If the entry is missing or no finite number.
         """
         try:
-            return float(self.metadata[key])
+            return finite_number(self.metadata[key])
         except KeyError:
             raise MuyscError(
                 f"The {self.quantity} muogram lacks the metadata key {key} (domain "
@@ -54,7 +68,7 @@ class Described:
         except ValueError:
             raise MuyscError(
                 f"The metadata key {key} of the {self.quantity} muogram is "
-                f"“{self.metadata[key]}”, which is not a number; set it to one."
+                f"“{self.metadata[key]}”, which is not a finite number; set it to one."
             ) from None
 
 

@@ -90,6 +90,11 @@ def notes_on(mosaic: Mosaic, source: Source) -> tuple[list[str], list[str]]:
             f"The source has no tile {_listed(mosaic.sea_tiles)}; it was taken as sea level. "
             "Where there is land, its rock is missing."
         )
+    if lowest == highest:
+        warnings.append(
+            f"All heights are {lowest:.0f} m, so there is no rock to look through; see that the "
+            "extent is where it is meant to be."
+        )
     if lowest < _SEA_FLOOR_M:
         warnings.append(
             f"The heights go down to {lowest:.0f} m: they are those of the sea floor, and the "

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..errors import MuyscError
-from ..muogram import DOMAIN
+from ..muogram import DOMAIN, finite_number
 from ..radiography.settings import Physics
 from ..views import View
 
@@ -40,15 +40,15 @@ class NamedView:
         Raises
         ------
         MuyscError
-            If it is missing or no number, naming the file.
+            If it is missing or no finite number, naming the file.
         """
         text = self.text(key)
         try:
-            return float(text)
+            return finite_number(text)
         except ValueError:
             raise MuyscError(
-                f"The metadata key {key} of {self.name} is “{text}”, which is not a number; set it "
-                "to one."
+                f"The metadata key {key} of {self.name} is “{text}”, which is not a finite number; "
+                "set it to one."
             ) from None
 
     def physics(self) -> Physics:

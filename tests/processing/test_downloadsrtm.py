@@ -94,6 +94,17 @@ def test_sea_and_voids_are_told_and_filled(
     assert np.abs(errors).mean() < 20
 
 
+def test_terrain_without_relief_is_told(download, tile_server, vesuvius_tile, feedback):
+    tile_server.files["/tiles/N40/N40E014.hgt.gz"] = gzip.compress(vesuvius_tile.tobytes(), 1)
+    sea = "14.1,14.1,40.1,40.1 [EPSG:4326]"
+    heights = read(download(EXTENT=sea, MARGIN=0)["DEM"])[0]
+    assert (heights == 0).all()
+    assert [one for one in feedback.warnings if one.startswith("All heights are 0 m")]
+    feedback.warnings.clear()
+    download(EXTENT=SMALL)
+    assert not feedback.warnings
+
+
 def test_kept_tiles_need_no_server(download, tile_server, vesuvius_gzipped, feedback):
     tile_server.files["/tiles/N40/N40E014.hgt.gz"] = vesuvius_gzipped
     first = read(download()["DEM"])[0]

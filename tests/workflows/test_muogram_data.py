@@ -147,3 +147,14 @@ def test_missing_metadata_name_the_key_and_the_file(dem, views, quantity, key):
     )
     with pytest.raises(MuyscError, match=rf"site_0_{quantity} .*lacks the metadata key {key} \("):
         read_survey([NamedView(one.name, bare)], [], dem)
+
+
+@pytest.mark.parametrize("height", ["inf", "nan", "1e999", "high"])
+def test_metadata_that_are_no_finite_numbers_are_refused(dem, views, height):
+    one = views("thickness")[0]
+    odd = replace(one.view, metadata={**one.view.metadata, "DETECTOR_ELEVATION": height})
+    sentence = f"DETECTOR_ELEVATION of site_0_thickness is “{height}”, which is not a finite number"
+    with pytest.raises(MuyscError, match=sentence):
+        read_survey([NamedView(one.name, odd)], [], dem)
+    with pytest.raises(MuyscError, match=f"“{height}”, which is not a finite number"):
+        odd.number("DETECTOR_ELEVATION")
