@@ -14,7 +14,7 @@ unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint audit fuzz soak qgis bench reference models translations screenshots validation experiments matrix package clean packages development-packages document-packages
+.PHONY: help demo test lint audit fuzz soak qgis bench sky reference models translations screenshots validation experiments matrix package clean packages development-packages document-packages
 
 help: ## Show this list
 	@grep -hE '^[a-z]+:.*##' Makefile | sed -E 's/^([a-z]+):.*## /\1\t/' \
@@ -39,6 +39,9 @@ audit: .venv/ready ## Look for insecure code in what ships, and for secrets in a
 fuzz: .venv/ready ## Try hostile parameters and files (FUZZ_SECONDS=300, FUZZ_SEED=1)
 	@FUZZ_SECONDS=$${FUZZ_SECONDS:-300} FUZZ_SEED=$${FUZZ_SEED:-1} \
 		$(VENV_PYTHON) -m pytest --capture=no tests/fuzz $(ARGS)
+
+sky: ## Make the table of the muon sky again, which takes half an hour (needs PyPI)
+	@tools/muon_sky/run
 
 soak: packages ## Run a thousand radiographies in one process and watch its memory
 	@$(PYTHON) -m tools.soak

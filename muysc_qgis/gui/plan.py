@@ -16,6 +16,7 @@ from qgis.core import (
 
 from ...processing_algorithms.parameters.telescope import NONE
 from ..errors import MuyscError
+from ..radiography.spectra import DEFAULT_MODEL
 from ..telescope.presets import PRESETS
 
 #: Decimals of coordinates: a millimetre or better.
@@ -92,7 +93,7 @@ class Plan:
     material: str = "standard_rock"
     #: None for the material's own.
     density_g_cm3: float | None = None
-    flux_model: str = "gaisser-tang"
+    flux_model: str = DEFAULT_MODEL
 
     def with_place(self, role: str, place: Place) -> Plan:
         """Return the plan with the detector or the target somewhere else."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..quantities import QUANTITIES
+from ..radiography.envelope import flux_error
+from ..radiography.spectra import MODELS
 from .preview import Preview
 from .texts import NO_BREAK, days, metres, tr, with_unit
 
@@ -41,7 +43,7 @@ def describe_pixel(preview: Preview, row: int, column: int, quantity: str) -> st
             exposure=days(float(preview.muogram("exposure").values[row, column]))
         ),
     ]
-    lines = [tr("Flux {flux}").format(flux=told("flux"))]
+    lines = [tr("Flux {flux}").format(flux=told("flux")) + _flux_error(preview, row, column)]
     if quantity in _FURTHER:
         lines.append(f"{tr(QUANTITIES[quantity].title)} {told(quantity)}")
     rows = [
@@ -53,6 +55,21 @@ def describe_pixel(preview: Preview, row: int, column: int, quantity: str) -> st
     # In HTML lines break at narrow spaces, even at those that must not.
     table = "".join(f"<tr>{cell}</tr>" for cell in rows).replace("\u202f", NO_BREAK)
     return f"<table width='100%' cellspacing='0'>{table}</table>"
+
+
+def _flux_error(preview: Preview, row: int, column: int) -> str:
+    """Return the standard error of a pixel's flux in percent, nothing for a formula's."""
+    physics = preview.inputs.physics
+    if not MODELS[physics.flux_model].tabulated:
+        return ""
+    energy = preview.muogram("minimum_energy")
+    error = flux_error(
+        energy.values[row, column],
+        np.sin(np.radians(energy.elevation_deg[row])),
+        physics,
+        preview.inputs.sight.detector_elevation_m,
+    )
+    return f" ± {100 * float(error):.0f} %".replace(" ", NO_BREAK) if np.isfinite(error) else ""
 
 
 def describe_preview(preview: Preview) -> str:

@@ -16,7 +16,7 @@ from ..radiography.energy_loss import minimum_energy
 from ..radiography.envelope import Envelope, envelope_over_models, model_holds
 from ..radiography.inversion import opacity_from_flux
 from ..radiography.settings import Physics
-from ..radiography.transmission import attenuate, open_sky_start_gev
+from ..radiography.transmission import attenuate
 from ..radiography.validity import OPEN_SKY_SLACK
 from .observation import Observation, pixels
 from .poisson import logarithmic_errors
@@ -211,7 +211,7 @@ def model_densities(
         found = measure_density(seen, there, minimum_counts, progress)
         measured = found.flags == Flag.MEASURED
         opacity = found.opacity(scene.thickness_m)
-        start = open_sky_start_gev(physics)
+        start = physics.open_sky_start_gev
         holds = model_holds(physics, cosine, np.fmax(minimum_energy(opacity, physics), start))
         if seen.sky_elevation_deg is not None:
             sky = np.sin(np.radians(seen.sky_elevation_deg))

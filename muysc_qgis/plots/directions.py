@@ -140,7 +140,7 @@ def describe(muogram: Described) -> list[str]:
     """Return what the metadata says, a line on the place and one on the physics."""
     place = [_detector(muogram), _target(muogram)]
     physics = [
-        _named(muogram, "FLUX_MODEL", "flux model"),
+        _named(muogram, "FLUX_MODEL", "flux model") + _flux_error(muogram),
         _named(muogram, "ENERGY_LOSS", "energy loss"),
     ]
     density = metadata_number(muogram, "DENSITY")
@@ -180,6 +180,11 @@ def _target(muogram: Described) -> str:
     if elevation is not None:
         parts.append(f"{elevation:.1f}° above the horizon".replace("-", "−"))
     return f"target {', '.join(parts)}" if parts else ""
+
+
+def _flux_error(muogram: Described) -> str:
+    error = metadata_number(muogram, "FLUX_ERROR")
+    return "" if error is None else f" (±{error:.0f} %)"
 
 
 def _named(muogram: Described, key: str, what: str) -> str:

@@ -206,6 +206,7 @@ def _results(simulation: Simulation) -> list[Row]:
         ("Distance of the target", "TARGET_DISTANCE", "m", 1),
         ("Boresight azimuth", "BORESIGHT_AZIMUTH", "°", 2),
         ("Boresight elevation", "BORESIGHT_ELEVATION", "°", 2),
+        ("Standard error of the flux behind rock, median", "FLUX_ERROR", "%", 1),
     ):
         if key in flux.metadata:
             rows.append(Row(label, round(flux.number(key), digits), unit))

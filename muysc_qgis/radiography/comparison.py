@@ -17,9 +17,10 @@ from .altitude import altitude_factor
 from .constants import G_CM2_PER_M_WATER_EQUIVALENT
 from .energy_loss import ENERGY_LOSSES, csda_range, minimum_energy, stopping_power
 from .envelope import model_holds
+from .muon_sky import muon_sky
 from .settings import Physics, check_altitude
 from .spectra import MODELS, differential_flux, momentum_from_kinetic
-from .transmission import attenuate, open_sky_start_gev
+from .transmission import attenuate
 from .validity import OPEN_SKY_SLACK
 
 #: Points per decade of every curve.
@@ -51,6 +52,8 @@ class SpectrumCurve:
     flux: np.ndarray
     #: (n,) whether the model was made for this energy and angle.
     holds: np.ndarray
+    #: (n,) its relative standard error, NaN for a formula, which has none.
+    error: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -251,6 +254,10 @@ def compare(
     if not models:
         raise MuyscError("No flux model is chosen; choose at least one.")
     every = [replace(physics, flux_model=model) for model in dict.fromkeys(models)]
+    # One cut for all, where one of them has one behind rock.
+    cut = max(one.threshold_gev for one in every)
+    every = [replace(one, detection_threshold_gev=cut) for one in every]
+    physics = every[0]
     check_zenith_angles(zenith_deg)
     check_altitude(altitude_m)
     check_thickness(thickness_m)
@@ -301,9 +308,10 @@ def spectrum_curve(
     """Return the spectrum of the flux model of `physics`, altitude correction included."""
     cosine = np.array(math.cos(math.radians(zenith_deg)))
     flux = differential_flux(
-        kinetic_energy_gev, cosine, physics.flux_model, physics.gaisser_parameters
+        kinetic_energy_gev, cosine, physics.flux_model, physics.gaisser_parameters, altitude_m
     )
-    if physics.altitude_correction:
+    tabulated = MODELS[physics.flux_model].tabulated
+    if physics.altitude_correction and not tabulated:
         flux = flux * altitude_factor(momentum_from_kinetic(kinetic_energy_gev), altitude_m)
     return SpectrumCurve(
         physics.flux_model,
@@ -311,6 +319,9 @@ def spectrum_curve(
         kinetic_energy_gev,
         flux,
         model_holds(physics, cosine, kinetic_energy_gev),
+        muon_sky().relative_error(kinetic_energy_gev, cosine, altitude_m)
+        if tabulated
+        else np.full(kinetic_energy_gev.shape, np.nan),
     )
 
 
@@ -320,7 +331,7 @@ def attenuation_curve(
     """Return the flux of the flux model of `physics` behind a range of opacities."""
     muons = attenuate(opacity_g_cm2, np.array(90.0 - zenith_deg), physics, altitude_m)
     cosine = np.array(math.cos(math.radians(zenith_deg)))
-    sky = np.array(open_sky_start_gev(physics))
+    sky = np.array(physics.open_sky_start_gev)
     return AttenuationCurve(
         physics.flux_model,
         zenith_deg,

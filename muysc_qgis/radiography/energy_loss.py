@@ -207,7 +207,7 @@ def minimum_energy(opacity_g_cm2: np.ndarray, physics: Physics) -> np.ndarray:
     numpy.ndarray
         GeV; NaN where the opacity is NaN or the range law has no answer.
     """
-    threshold = physics.detection_threshold_gev
+    threshold = physics.threshold_gev
     opacity_g_cm2 = np.asarray(opacity_g_cm2, dtype=float)
     law = range_law(physics.material, physics.energy_loss)
     total = opacity_g_cm2

@@ -1,4 +1,4 @@
-"""How far the flux models that hold for a ray lie apart."""
+"""How well the flux is known: a model's own error, or how far the formulas lie apart."""
 
 from __future__ import annotations
 
@@ -10,15 +10,22 @@ import numpy as np
 from ..progress import Progress, part, silent
 from .constants import MUON_MASS_GEV
 from .gaisser import GAISSER_PARAMETERS
+from .muon_sky import muon_sky
 from .settings import Physics
 from .spectra import MODELS
-from .transmission import attenuate, open_sky_start_gev
+from .transmission import attenuate
 from .validity import OPEN_SKY_SLACK
+
+#: Relative error of a flux formula within its range, to which the ranges are chosen.
+FORMULA_ERROR = 0.15
+
+#: Rays whose median stands for all.
+_ENOUGH = 10_000
 
 
 @dataclass(frozen=True)
 class Envelope:
-    """The smallest and the largest of what several flux models say of each ray."""
+    """The smallest and the largest that each ray's value may well be."""
 
     #: Any shape; NaN where no model holds.
     minimum: np.ndarray
@@ -34,11 +41,12 @@ def model_envelope(
     altitude_m: float = 0.0,
     progress: Progress = silent,
 ) -> Envelope:
-    """Return the smallest and largest flux behind rock over the models that hold there.
+    """Return how small and how large the flux behind rock may well be.
 
-    Everything but the flux model is as in `physics`, the set of Gaisser parameters
-    included. A model counts for a ray where `model_holds`; in the open sky its lower
-    limit is taken as loosely as by the warnings.
+    With a tabulated model, one standard error of it to either side. With a formula, the
+    smallest and largest over the formulas that hold there: everything but the formula is
+    as in `physics`, the set of Gaisser parameters included; one counts for a ray where
+    `model_holds`, and in the open sky its lower limit is taken as loosely as by the warnings.
 
     Parameters
     ----------
@@ -59,14 +67,87 @@ def model_envelope(
     """
     opacity = np.asarray(opacity_g_cm2, dtype=float)
     cosine = np.sin(np.radians(np.asarray(elevation_deg, dtype=float)))
+    if MODELS[physics.flux_model].tabulated:
+        muons = attenuate(opacity, elevation_deg, physics, altitude_m, progress)
+        error = flux_error(muons.minimum_energy_gev, cosine, physics, altitude_m)
+        known = int(np.count_nonzero(np.isfinite(muons.flux)))
+        return Envelope(
+            muons.flux * (1.0 - error), muons.flux * (1.0 + error), {physics.flux_model: known}
+        )
 
     def flux_of(model: Physics, progress: Progress) -> tuple[np.ndarray, np.ndarray]:
         muons = attenuate(opacity, elevation_deg, model, altitude_m, progress)
-        start = np.fmax(muons.minimum_energy_gev, open_sky_start_gev(model))
+        start = np.fmax(muons.minimum_energy_gev, model.open_sky_start_gev)
         slack = np.where(opacity > 0, 1.0, OPEN_SKY_SLACK)
         return muons.flux, model_holds(model, cosine, start, slack)
 
     return envelope_over_models(physics, flux_of, progress)
+
+
+def flux_error(
+    minimum_energy_gev: np.ndarray, cos_zenith: np.ndarray, physics: Physics, altitude_m: float
+) -> np.ndarray:
+    """Return the relative standard error of the muon flux above an energy.
+
+    That of a tabulated model at this energy, where most of the muons counted are. A formula
+    has none of its own; it gets `FORMULA_ERROR`, to which its range is chosen.
+
+    Parameters
+    ----------
+    minimum_energy_gev
+        Kinetic energy in GeV from which muons count.
+    cos_zenith
+        Cosine of the zenith angle; broadcasts with the energy.
+    physics
+        Its flux model counts.
+    altitude_m
+        Height of the detector above sea level, m.
+
+    Returns
+    -------
+    numpy.ndarray
+        NaN where the energy is, and at and below the horizon.
+    """
+    energy, cosine = np.broadcast_arrays(minimum_energy_gev, cos_zenith)
+    if not MODELS[physics.flux_model].tabulated:
+        error: np.ndarray = np.full(energy.shape, FORMULA_ERROR)
+    else:
+        start = np.fmax(energy, physics.open_sky_start_gev)
+        error = muon_sky().relative_error(start, cosine, altitude_m)
+    return np.where((cosine > 0) & np.isfinite(energy), error, np.nan)
+
+
+def typical_flux_error(
+    minimum_energy_gev: np.ndarray,
+    opacity_g_cm2: np.ndarray,
+    elevation_deg: np.ndarray,
+    physics: Physics,
+    altitude_m: float,
+) -> float:
+    """Return the median relative standard error of the flux behind rock.
+
+    Parameters
+    ----------
+    minimum_energy_gev, opacity_g_cm2
+        Of each ray, any shape: kinetic energy in GeV and opacity in g/cm².
+    elevation_deg
+        Elevation above the horizon in degrees; broadcasts with them.
+    physics, altitude_m
+        As in `flux_error`.
+
+    Returns
+    -------
+    float
+        Of all rays where none meets rock, NaN where none is known.
+    """
+    known = np.isfinite(minimum_energy_gev)
+    chosen = known & (opacity_g_cm2 > 0)
+    chosen = np.flatnonzero(chosen if chosen.any() else known)
+    chosen = chosen[:: 1 + len(chosen) // _ENOUGH]
+    cosine = np.sin(np.radians(np.broadcast_to(elevation_deg, known.shape).ravel()[chosen]))
+    error = flux_error(minimum_energy_gev.ravel()[chosen], cosine, physics, altitude_m)
+    error = error[np.isfinite(error)]
+    return float(np.median(error)) if error.size else float("nan")
 
 
 def envelope_over_models(
@@ -74,7 +155,7 @@ def envelope_over_models(
     evaluate: Callable[[Physics, Progress], tuple[np.ndarray, np.ndarray]],
     progress: Progress = silent,
 ) -> Envelope:
-    """Return the smallest and largest value over the flux models.
+    """Return the smallest and largest value over the formulas.
 
     Parameters
     ----------
@@ -93,8 +174,9 @@ def envelope_over_models(
     """
     minimum = maximum = np.array(np.nan)
     rays = {}
-    for number, name in enumerate(MODELS):
-        within = part(progress, number / len(MODELS), (number + 1) / len(MODELS))
+    formulas = [name for name, model in MODELS.items() if not model.tabulated]
+    for number, name in enumerate(formulas):
+        within = part(progress, number / len(formulas), (number + 1) / len(formulas))
         values, holds = evaluate(replace(physics, flux_model=name), within)
         counted = np.where(holds, values, np.nan)
         minimum, maximum = np.fmin(minimum, counted), np.fmax(maximum, counted)

@@ -101,8 +101,8 @@ def integral_spectrum(
     highest_gev
         Highest kinetic energy that will be asked for, GeV.
     altitude_m
-        Height above sea level, m, whose correction goes into the integral; None for
-        no correction.
+        Height above sea level, m: the place in the table of a tabulated model, for the
+        formulas a correction inside the integral; None for sea level.
     """
     grid = _energy_grid(flux_model, start_gev, highest_gev)
     width = np.diff(grid)
@@ -110,9 +110,13 @@ def integral_spectrum(
     ln_energy = np.append((grid[:-1, None] + width[:, None] * _LOBATTO_NODES[:3]).ravel(), grid[-1])
     energy = np.exp(ln_energy)
     density = energy * differential_flux(  # dI/dlnE
-        energy, np.asarray(cos_zenith, dtype=float)[:, None], flux_model, gaisser_parameters
+        energy,
+        np.asarray(cos_zenith, dtype=float)[:, None],
+        flux_model,
+        gaisser_parameters,
+        altitude_m or 0.0,
     )
-    if altitude_m is not None:
+    if altitude_m is not None and not MODELS[flux_model].tabulated:
         density *= altitude_factor(momentum_from_kinetic(energy), altitude_m)
     at_knots = density[:, ::3]
     first, second, third, fourth = _LOBATTO_WEIGHTS

@@ -9,7 +9,7 @@ from .batches import blocks, checked
 from .energy_loss import csda_range, range_law
 from .roots import falling_roots
 from .settings import Physics, check_altitude
-from .transmission import Sky, open_sky_start_gev
+from .transmission import Sky
 
 #: Halvings of the energy range before the faster search.
 _HALVINGS = 3
@@ -77,15 +77,15 @@ def _search(flux: np.ndarray, sky: Sky, highest_gev: float) -> np.ndarray:
     ln_flux = np.log(flux)
 
     def opacity_at(ln_energy: np.ndarray) -> np.ndarray:
-        energy = np.append(np.exp(ln_energy).ravel(), physics.detection_threshold_gev)
+        energy = np.append(np.exp(ln_energy).ravel(), physics.threshold_gev)
         length = csda_range(energy, physics.material, physics.energy_loss)
-        behind = length[-1] if physics.detection_threshold_gev > 0 else 0.0
+        behind = length[-1] if physics.threshold_gev > 0 else 0.0
         return np.maximum(length[:-1].reshape(ln_energy.shape) - behind, 0.0)
 
     def excess(ln_energy: np.ndarray) -> np.ndarray:
         return np.log(sky.flux_behind(opacity_at(ln_energy), np.exp(ln_energy))) - ln_flux
 
-    low = np.full(flux.shape, np.log(open_sky_start_gev(physics)))
+    low = np.full(flux.shape, np.log(physics.open_sky_start_gev))
     high = np.full(flux.shape, np.log(highest_gev))
     at_low, at_high = np.log(sky.open_sky) - ln_flux, excess(high)
     is_sky, has_answer = at_low <= 0, at_high <= 0

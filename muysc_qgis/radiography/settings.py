@@ -6,11 +6,14 @@ import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
+import numpy as np
+
 from ..errors import MuyscError
+from .constants import OPEN_SKY_MOMENTUM_GEV
 from .energy_loss import ENERGY_LOSSES
 from .gaisser import GAISSER_PARAMETERS
 from .materials import MATERIALS
-from .spectra import MODELS
+from .spectra import DEFAULT_MODEL, MODELS, kinetic_from_momentum
 
 #: Densest matter accepted, g/cm³; osmium, the densest element, has 22.6.
 MAXIMUM_DENSITY_G_CM3 = 30.0
@@ -41,9 +44,11 @@ class Physics:
     straggling
         Whether the fluctuations of the energy loss are corrected for.
     altitude_correction
-        Whether the flux grows with the altitude of the detector.
+        Whether the flux of a formula grows with the altitude of the detector; that of a
+        tabulated model always does.
     detection_threshold_gev
-        Kinetic energy in GeV that a muon still needs behind the rock.
+        Kinetic energy in GeV from which muons are counted, behind the rock and in the open
+        sky; 0 for the usual one, see `threshold_gev`.
 
     Raises
     ------
@@ -53,7 +58,7 @@ class Physics:
 
     material: str = "standard_rock"
     density_g_cm3: float | None = None
-    flux_model: str = "gaisser-tang"
+    flux_model: str = DEFAULT_MODEL
     gaisser_parameters: str = "gaisser"
     energy_loss: str = "csda"
     straggling: bool = True
@@ -90,6 +95,29 @@ class Physics:
         if self.density_g_cm3 is None:
             return MATERIALS[self.material].density_g_cm3
         return float(self.density_g_cm3)
+
+    @property
+    def threshold_gev(self) -> float:
+        """Kinetic energy in GeV that a muon still needs behind the rock.
+
+        The one given. Without one, that of 1 GeV/c with a tabulated model; with a formula
+        none, as it has always been there, though their open sky starts at 1 GeV/c.
+        """
+        if self.detection_threshold_gev > 0 or not MODELS[self.flux_model].tabulated:
+            return float(self.detection_threshold_gev)
+        return self.open_sky_start_gev
+
+    @property
+    def open_sky_start_gev(self) -> float:
+        """Kinetic energy in GeV from which the open sky counts: as given, or of 1 GeV/c."""
+        if self.detection_threshold_gev > 0:
+            return float(self.detection_threshold_gev)
+        return float(kinetic_from_momentum(np.array(OPEN_SKY_MOMENTUM_GEV)))
+
+    @property
+    def altitude_counts(self) -> bool:
+        """Whether the flux depends on the altitude of the detector."""
+        return self.altitude_correction or MODELS[self.flux_model].tabulated
 
 
 def _check_name(what: str, name: str, choices: Collection[str]) -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from . import muon_sky
 from .constants import MUON_MASS_GEV
 from .gaisser import (
     GAISSER_PARAMETERS,
@@ -44,6 +45,9 @@ class SpectrumModel:
     limiting_cosine_sign: str = "cosθ"
     #: Momenta in GeV/c at which the spectrum is continuous but not smooth.
     breaks_gev: tuple[float, ...] = ()
+    #: Whether it is a table of measured accuracy over altitude, angle and energy, with an
+    #: error of its own, instead of a formula for sea level.
+    tabulated: bool = False
 
     def energy_range_gev(
         self, cos_zenith: np.ndarray, parameters: GaisserParameters
@@ -70,6 +74,14 @@ class SpectrumModel:
             lower / cosine if self.lower_per_cosine else lower * one,
             upper / cosine if self.upper_per_cosine else upper * one,
         )
+
+
+#: The model that everything uses where none is named.
+DEFAULT_MODEL = "gsf-sibyll"
+
+
+def _no_formula(*_: object) -> np.ndarray:
+    raise NotImplementedError("a tabulated spectrum needs the altitude too")
 
 
 #: Every spectrum by its name in the interface.
@@ -157,6 +169,20 @@ MODELS = {
             upper_per_cosine=False,
             maximum_zenith_deg=90.0,
         ),
+        SpectrumModel(
+            DEFAULT_MODEL,
+            "GSF–SIBYLL",
+            "primaries of Dembinski et al. (2017), arXiv:1711.11432, hadrons by SIBYLL 2.3d, "
+            "Riehn et al. (2020), doi:10.1103/PhysRevD.102.063002, and UrQMD 3.4; fitted to "
+            "BESS-TeV and L3+C",
+            _no_formula,
+            lower_gev=muon_sky.LOWEST_GEV + MUON_MASS_GEV,
+            upper_gev=muon_sky.HIGHEST_GEV + MUON_MASS_GEV,
+            lower_per_cosine=False,
+            upper_per_cosine=False,
+            maximum_zenith_deg=muon_sky.MAXIMUM_ZENITH_DEG,
+            tabulated=True,
+        ),
     )
 }
 
@@ -175,10 +201,11 @@ def kinetic_from_momentum(momentum_gev: np.ndarray) -> np.ndarray:
 def differential_flux(
     kinetic_energy_gev: np.ndarray,
     cos_zenith: np.ndarray,
-    model: str = "gaisser-tang",
+    model: str = DEFAULT_MODEL,
     gaisser_parameters: str = "gaisser",
+    altitude_m: float = 0.0,
 ) -> np.ndarray:
-    """Return the differential muon flux at sea level.
+    """Return the differential muon flux, the formulas' at sea level.
 
     Parameters
     ----------
@@ -190,6 +217,9 @@ def differential_flux(
         Key of `MODELS`.
     gaisser_parameters
         Key of `GAISSER_PARAMETERS`, for the models that take them.
+    altitude_m
+        Height above sea level in m, for models that are tabulated; the formulas know
+        nothing of it.
 
     Returns
     -------
@@ -198,6 +228,8 @@ def differential_flux(
         momentum are converted by dI/dE = dI/dp · E/p.
     """
     kinetic_energy_gev = np.asarray(kinetic_energy_gev, dtype=float)
+    if MODELS[model].tabulated:
+        return muon_sky.muon_sky().flux(kinetic_energy_gev, cos_zenith, altitude_m)
     return MODELS[model].evaluate(
         kinetic_energy_gev + MUON_MASS_GEV,
         momentum_from_kinetic(kinetic_energy_gev),

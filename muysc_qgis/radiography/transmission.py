@@ -10,11 +10,10 @@ import numpy as np
 
 from ..progress import Progress, silent
 from .batches import blocks, checked
-from .constants import OPEN_SKY_MOMENTUM_GEV, SECONDS_PER_DAY
+from .constants import SECONDS_PER_DAY
 from .energy_loss import minimum_energy
 from .integral import IntegralSpectrum, integral_spectrum
 from .settings import Physics, check_altitude
-from .spectra import kinetic_from_momentum
 from .straggling import straggling_factor
 from .validity import count_departures, sentences
 
@@ -39,16 +38,6 @@ class Attenuation:
     #: Rays without a flux by cause: ``opacity`` (unknown), ``horizon`` (zenith angle of
     #: 90° or more), ``energy loss`` (no minimum energy).
     unanswered: Mapping[str, int]
-
-
-def open_sky_start_gev(physics: Physics) -> float:
-    """Return the kinetic energy in GeV from which the open sky counts.
-
-    The detection threshold, or the energy of 1 GeV/c if there is none.
-    """
-    if physics.detection_threshold_gev > 0:
-        return float(physics.detection_threshold_gev)
-    return float(kinetic_from_momentum(np.array(OPEN_SKY_MOMENTUM_GEV)))
 
 
 def attenuate(
@@ -105,7 +94,7 @@ def attenuate(
             np.count_nonzero(known & np.isnan(energy) & ~np.isnan(sky.open_sky))
         )
         counts += count_departures(
-            rho, sky.cos_zenith, energy, open_sky_start_gev(physics), physics, altitude_m
+            rho, sky.cos_zenith, energy, physics.open_sky_start_gev, physics, altitude_m
         )
     energy, flux, open_sky, transmission = (result.reshape(shape) for result in results)
     return Attenuation(
@@ -158,9 +147,9 @@ class Sky:
             distinct,
             physics.flux_model,
             physics.gaisser_parameters,
-            open_sky_start_gev(physics),
+            physics.open_sky_start_gev,
             highest_gev,
-            altitude_m if physics.altitude_correction else None,
+            altitude_m if physics.altitude_counts else None,
         )
         open_sky = np.where(above, spectrum.from_start[row], np.nan) * SECONDS_PER_DAY
         return cls(physics, cos_zenith, open_sky, spectrum, row)
@@ -174,7 +163,7 @@ class Sky:
             Opacity in g/cm² and the kinetic energy in GeV it demands; arrays that
             broadcast with the directions.
         """
-        begin = np.maximum(minimum_energy_gev, open_sky_start_gev(self.physics))
+        begin = np.maximum(minimum_energy_gev, self.physics.open_sky_start_gev)
         intensity, index = self.spectrum(self.row, begin)
         if self.physics.straggling:
             intensity *= straggling_factor(opacity_g_cm2, index, self.physics.material)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from . import muon_sky
 from .altitude import MAXIMUM_ALTITUDE_M, MINIMUM_MOMENTUM_GEV
 from .constants import MUON_MASS_GEV
 from .energy_loss import LESPARRE_LIMIT_GEV
@@ -56,7 +57,11 @@ def count_departures(
         "above": rock & (start + MUON_MASS_GEV > upper),
         "open sky": answered & (OPEN_SKY_SLACK * open_sky < lower),
     }
-    if physics.altitude_correction and altitude_m != 0:
+    if model.tabulated:
+        inside = muon_sky.LOWEST_LAND_M <= altitude_m <= muon_sky.MAXIMUM_ALTITUDE_M
+        if not inside:
+            conditions["altitude table"] = answered
+    elif physics.altitude_correction and altitude_m != 0:
         conditions["altitude momentum"] = answered & (
             start < kinetic_from_momentum(np.array(MINIMUM_MOMENTUM_GEV))
         )
@@ -105,6 +110,9 @@ def sentences(counts: Mapping[str, int], physics: Physics, altitude_m: float) ->
         f"the detector is at {altitude_m:.0f} m.",
         "altitude momentum": "{}: the muons counted start below the "
         f"{MINIMUM_MOMENTUM_GEV:g} GeV/c from which the altitude correction holds.",
+        "altitude table": f"{{}}: the flux model {title} is tabulated from "
+        f"{muon_sky.MINIMUM_ALTITUDE_M:g} m to {muon_sky.MAXIMUM_ALTITUDE_M:g} m above sea level "
+        f"and the detector is at {altitude_m:.0f} m, so its slope there is carried on.",
         "lesparre": f"{{}}: the minimum energy is above the {LESPARRE_LIMIT_GEV:g} GeV up to which "
         f"the {loss} holds.",
         "lesparre material": f"{{}}: the rock is {MATERIALS[physics.material].title.lower()}, and "

@@ -154,7 +154,7 @@ def expected_counts(
         near_field_m,
         part(progress, 0.0, _TRACED),
     )
-    altitude = sight.detector_elevation_m if physics.altitude_correction else 0.0
+    altitude = sight.detector_elevation_m if physics.altitude_counts else 0.0
     changes = [1.0]
     if "density_resolution" in wanted:
         changes.append(1.0 - PROBE)

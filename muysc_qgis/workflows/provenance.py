@@ -48,7 +48,7 @@ def describe_physics(physics: Physics) -> dict[str, str | float]:
         "ENERGY_LOSS": physics.energy_loss,
         "STRAGGLING": "yes" if physics.straggling else "no",
         "ALTITUDE_CORRECTION": "yes" if physics.altitude_correction else "no",
-        "DETECTION_THRESHOLD": physics.detection_threshold_gev,
+        "DETECTION_THRESHOLD": physics.threshold_gev,
     }
 
 
@@ -71,4 +71,4 @@ def altitude_of(view: View, physics: Physics, altitude_m: float | None = None) -
     """
     if altitude_m is not None:
         return altitude_m
-    return view.number("DETECTOR_ELEVATION") if physics.altitude_correction else 0.0
+    return view.number("DETECTOR_ELEVATION") if physics.altitude_counts else 0.0

@@ -18,8 +18,10 @@ from ..progress import Progress, part, report, silent
 from ..radiography.aperture import Aperture
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.counting import check_positive, exposure_days
+from ..radiography.envelope import typical_flux_error
 from ..radiography.raytracing import Outcome, RockPaths
 from ..radiography.settings import Physics
+from ..radiography.spectra import MODELS
 from ..radiography.transmission import attenuate
 from ..telescope.acceptance import Trajectories
 from ..telescope.directions import Pointing
@@ -234,6 +236,10 @@ def through_rock(
         "ACCEPTANCE": telescope.acceptance_cm2_sr,
         "MUONS": telescope.muons,
     }
+    if MODELS[physics.flux_model].tabulated:
+        metadata["FLUX_ERROR"] = 100.0 * typical_flux_error(
+            muons.minimum_energy_gev, opacity, rock.elevation_deg[:, None], physics, altitude_m
+        )
     if telescope.trajectories is not None:
         # The acceptance on the axis, and all that it takes to get the others.
         metadata["ACCEPTANCE"] = float(telescope.trajectories.acceptance_cm2_sr.max())

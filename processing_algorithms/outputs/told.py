@@ -172,6 +172,8 @@ def _without_effect(
         names |= {*SIZES, *(["FORMULA"] if preset == NONE else [])}
     if model is not None and not model.startswith("gaisser"):
         names.add("GAISSER_PARAMETERS")
+    if model is not None and MODELS[model].tabulated:
+        names.add("ALTITUDE_CORRECTION")
     for choice, dependent in _ONLY_FOR.items():
         word = chosen(choice)
         if word is not None:

@@ -18,11 +18,14 @@ from ...muysc_qgis.radiography.settings import (
     MAXIMUM_THRESHOLD_GEV,
     Physics,
 )
-from ...muysc_qgis.radiography.spectra import MODELS
+from ...muysc_qgis.radiography.spectra import DEFAULT_MODEL, MODELS
 from ...muysc_qgis.telescope.acceptance import trajectories
 from ...muysc_qgis.workflows.simulation import Telescope
 from .telescope import geometry_parameters, read_geometry
 from .values import choice, number, read_choice, read_number, read_optional, switch
+
+#: Detection threshold in GeV where none is given.
+_USUAL_THRESHOLD_GEV = Physics().threshold_gev
 
 
 def physics_parameters(density: bool = True) -> list[QgsProcessingParameterDefinition]:
@@ -44,15 +47,15 @@ def physics_parameters(density: bool = True) -> list[QgsProcessingParameterDefin
         ),
         choice(
             "FLUX_MODEL", "Muon flux model",
-            "Parametrised spectrum of the muons at sea level. gaisser-tang and guan hold for all "
-            "energies and zenith angles; gaisser above 100/cos θ GeV and within 70° of the "
-            "zenith; bugaev near the vertical; reyna-bugaev and reyna-hebbeker stretch vertical "
-            "spectra to inclined muons.",
-            list(MODELS), "gaisser-tang",
+            "Where the muons come from. gsf-sibyll (recommended): a table over altitude from 0 to "
+            "6000 m, zenith angle and energy, fitted to measured spectra, with its own error. The "
+            "others are formulas for sea level that lie within 15 % of measured spectra only at "
+            "the energies and zenith angles that Physics, and a warning, name.",
+            list(MODELS), DEFAULT_MODEL,
         ),
         choice(
             "GAISSER_PARAMETERS", "Parameters of the Gaisser formula",
-            "Constants of the models gaisser and gaisser-tang; the other models do not use them.",
+            "Constants of the formulas gaisser and gaisser-tang; the other models do not use them.",
             list(GAISSER_PARAMETERS), "gaisser", advanced=True,
         ),
         choice(
@@ -71,15 +74,19 @@ def physics_parameters(density: bool = True) -> list[QgsProcessingParameterDefin
         ),
         switch(
             "ALTITUDE_CORRECTION", "Correct for altitude",
-            "Whether the flux grows with the altitude of the detector. Made for momenta above "
-            "10 GeV/c and altitudes below 1 km; beyond that a warning is given.",
+            "Whether the flux of a formula grows with the altitude of the detector. Made for "
+            "momenta above 10 GeV/c, altitudes below 1 km and zenith angles below 60°; beyond "
+            "that a warning is given. With gsf-sibyll the altitude always counts.",
             True, advanced=True,
         ),
         number(
-            "DETECTION_THRESHOLD", "Detection threshold (GeV)",
-            "Give the kinetic energy in GeV that a muon needs behind the rock to be detected, from "
-            f"0 to below {MAXIMUM_THRESHOLD_GEV:g}. With 0 the open sky starts at 1 GeV/c.",
-            0.0, 0, MAXIMUM_THRESHOLD_GEV, advanced=True,
+            "DETECTION_THRESHOLD", "Detection threshold (GeV, empty: 0.90, which is 1 GeV/c)",
+            "Give the kinetic energy in GeV that a muon needs at the telescope to be detected, "
+            f"behind the rock and in the open sky alike, above 0 and below "
+            f"{MAXIMUM_THRESHOLD_GEV:g}. Empty stands for {_USUAL_THRESHOLD_GEV:.2f} GeV, which "
+            "is p > 1 GeV/c. With a formula for the flux, empty counts every muon behind rock and "
+            "those above 1 GeV/c in the open sky, as earlier versions did.",
+            None, 0, MAXIMUM_THRESHOLD_GEV, advanced=True,
         ),
     ]  # fmt: skip
     return [one for one in declared if density or one.name() != "DENSITY"]
@@ -110,7 +117,7 @@ def read_physics(
         energy_loss=read_choice(*read, "ENERGY_LOSS", context),
         straggling=algorithm.parameterAsBool(parameters, "STRAGGLING", context),
         altitude_correction=algorithm.parameterAsBool(parameters, "ALTITUDE_CORRECTION", context),
-        detection_threshold_gev=read_number(*read, "DETECTION_THRESHOLD", context),
+        detection_threshold_gev=read_optional(*read, "DETECTION_THRESHOLD", context) or 0.0,
     )
 
 

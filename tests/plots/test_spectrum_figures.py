@@ -73,8 +73,8 @@ def test_a_curve_is_strong_where_the_model_holds_and_faded_elsewhere(
 
 
 def test_ratios_are_to_the_default_model(comparison, spectrum_axes):
-    assert energy_spectra.reference_model(comparison) == "gaisser-tang"
-    for line in lines_of(spectrum_axes[0.0][1], "gaisser-tang"):
+    assert energy_spectra.reference_model(comparison) == "gsf-sibyll"
+    for line in lines_of(spectrum_axes[0.0][1], "gsf-sibyll"):
         known = line.get_ydata()[np.isfinite(line.get_ydata())]
         np.testing.assert_allclose(known, 1.0)
     alone = compare(["guan", "bugaev"], [0.0], 100.0, Physics())

@@ -59,6 +59,7 @@ def test_defaults_write_everything(run, files):
     spectra = table(files["TABLE"])
     assert {row["model"] for row in spectra} == {
         "gaisser", "gaisser-tang", "bugaev", "reyna-bugaev", "reyna-hebbeker", "guan",
+        "gsf-sibyll",
     }  # fmt: skip
     assert {float(row["zenith_deg"]) for row in spectra} == {0, 30, 60, 75, 85}
     assert {row["within_validity"] for row in spectra} == {"0", "1"}

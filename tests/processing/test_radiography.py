@@ -40,7 +40,7 @@ def everything(vesuvius, tmp_path):
     ("parameter", "value"),
     [
         ("AZIMUTH_PIXELS", 100), ("ELEVATION_PIXELS", 100), ("MAX_RANGE", None), ("DENSITY", None),
-        ("FLUX_MODEL", "gaisser-tang"), ("ENERGY_LOSS", "csda"), ("ACCEPTANCE", 6), ("MUONS", 10),
+        ("FLUX_MODEL", "gsf-sibyll"), ("ENERGY_LOSS", "csda"), ("ACCEPTANCE", 6), ("MUONS", 10),
     ],
 )  # fmt: skip
 def test_scripts_rely_on_the_defaults(provider, parameter, value):
@@ -97,7 +97,7 @@ def test_muogram_rasters_describe_themselves(run, everything):
     metadata = dataset.GetMetadata("MUYSC")
     assert metadata.keys() >= KEYS
     assert metadata["QUANTITY"] == "flux"
-    assert metadata["FLUX_MODEL"] == "gaisser-tang"
+    assert metadata["FLUX_MODEL"] == "gsf-sibyll"
     assert metadata["ENERGY_LOSS"] == "csda"
     assert float(metadata["DENSITY"]) == 2.65
     assert float(metadata["DETECTOR_LON"]) == pytest.approx(14.410686, abs=1e-9)

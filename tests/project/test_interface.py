@@ -38,7 +38,7 @@ TELESCOPE_ANGLES = f"""
 MATERIALS = """
     standard_rock water ice limestone dolomite quartzite granite granodiorite diorite andesite
     basalt gabbro concrete"""
-FLUX_MODELS = "gaisser gaisser-tang bugaev reyna-bugaev reyna-hebbeker guan"
+FLUX_MODELS = "gaisser gaisser-tang bugaev reyna-bugaev reyna-hebbeker guan gsf-sibyll"
 PRESETS = """
     custom mute gibert2010 carbone2014 lopresti2020 lesparre2012 lesparre2010 uchida2009 muraves"""
 METHODS = """

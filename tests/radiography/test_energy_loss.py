@@ -43,16 +43,22 @@ def test_standard_rock_range():
 def test_minimum_energy_behind_standard_rock():
     lengths = np.array([100.0, 500.0, 1000.0, 2000.0])
     expected = [62.0, 410.0, 1138.0, 4737.0]
-    np.testing.assert_allclose(minimum_energy(ROCK * lengths, Physics()), expected, rtol=5e-3)
+    np.testing.assert_allclose(
+        minimum_energy(ROCK * lengths, Physics(flux_model="guan")), expected, rtol=5e-3
+    )
 
 
 def test_paper_option_gives_the_published_energies():
-    energy = minimum_energy(ROCK * np.array([100.0, 300.0, 500.0]), Physics(energy_loss="paper"))
+    energy = minimum_energy(
+        ROCK * np.array([100.0, 300.0, 500.0]), Physics(flux_model="guan", energy_loss="paper")
+    )
     np.testing.assert_allclose(energy, [68.98, 281.0, 721.0], rtol=1e-3)
 
 
 def test_paper_option_has_no_answer_beyond_613_m():
-    energy = minimum_energy(ROCK * np.array([612.9, 613.2, 2000.0]), Physics(energy_loss="paper"))
+    energy = minimum_energy(
+        ROCK * np.array([612.9, 613.2, 2000.0]), Physics(flux_model="guan", energy_loss="paper")
+    )
     assert energy[0] < 1878
     assert np.all(np.isnan(energy[1:]))
     law = range_law(energy_loss="paper")
@@ -80,21 +86,23 @@ def test_energy_to_range_and_back(energy_loss, material):
     energy = np.geomspace(0.1, top, 3001)
     length = csda_range(energy, material, energy_loss)
     assert np.all(np.diff(length) > 0)
-    back = minimum_energy(length, Physics(material=material, energy_loss=energy_loss))
+    back = minimum_energy(
+        length, Physics(flux_model="guan", material=material, energy_loss=energy_loss)
+    )
     np.testing.assert_allclose(back, energy, rtol=1e-4)
 
 
 @pytest.mark.parametrize("energy_loss", ENERGY_LOSSES)
 def test_no_rock_costs_no_energy(energy_loss):
-    assert minimum_energy(np.array(0.0), Physics(energy_loss=energy_loss)) == 0
-    physics = Physics(energy_loss=energy_loss, detection_threshold_gev=3.0)
+    assert minimum_energy(np.array(0.0), Physics(flux_model="guan", energy_loss=energy_loss)) == 0
+    physics = Physics(flux_model="guan", energy_loss=energy_loss, detection_threshold_gev=3.0)
     assert minimum_energy(np.array(0.0), physics) == 3.0
 
 
 @pytest.mark.parametrize("energy_loss", ENERGY_LOSSES)
 def test_little_rock_costs_little_energy(energy_loss):
     opacity = np.array([1e-9, 1e-6, 1e-3, 1.0])
-    energy = minimum_energy(opacity, Physics(energy_loss=energy_loss))
+    energy = minimum_energy(opacity, Physics(flux_model="guan", energy_loss=energy_loss))
     assert np.all(energy >= 0)
     assert energy[-1] < 0.02
 
@@ -106,18 +114,19 @@ def test_detection_threshold_adds_its_range():
 
 
 def test_unknown_opacity_has_no_minimum_energy():
-    assert np.isnan(minimum_energy(np.array(np.nan), Physics()))
+    assert np.isnan(minimum_energy(np.array(np.nan), Physics(flux_model="guan")))
 
 
 def test_more_rock_than_the_table_has_no_minimum_energy():
     beyond = range_law().maximum_range_g_cm2 * 1.001
-    assert np.isnan(minimum_energy(np.array(beyond), Physics()))
+    assert np.isnan(minimum_energy(np.array(beyond), Physics(flux_model="guan")))
 
 
 def test_density_does_not_change_the_energy_at_given_opacity():
     opacity = np.array([1e3, 1e5])
     np.testing.assert_array_equal(
-        minimum_energy(opacity, Physics(density_g_cm3=2.0)), minimum_energy(opacity, Physics())
+        minimum_energy(opacity, Physics(flux_model="guan", density_g_cm3=2.0)),
+        minimum_energy(opacity, Physics(flux_model="guan")),
     )
 
 
@@ -164,4 +173,6 @@ def test_minimum_energy_matches_mulder():
     rock = mulder.Physics().compile("Rock")
     length = np.geomspace(1, 4000, 50)
     expected = rock.inverse_range(length)
-    np.testing.assert_allclose(minimum_energy(ROCK * length, Physics()), expected, rtol=5e-3)
+    np.testing.assert_allclose(
+        minimum_energy(ROCK * length, Physics(flux_model="guan")), expected, rtol=5e-3
+    )

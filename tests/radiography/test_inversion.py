@@ -48,9 +48,10 @@ def test_open_sky_or_more_means_no_rock():
 
 
 def test_slightly_less_than_open_sky_means_a_little_rock():
-    # The open sky starts at 1 GeV/c, which crosses this much rock by itself.
-    sky = float(attenuate(0.0, 30.0, Physics()).open_sky)
-    opacity = opacity_from_flux(np.array(0.999 * sky), 30.0, Physics())
+    # A formula's open sky starts at 1 GeV/c, which crosses this much rock by itself.
+    guan = Physics(flux_model="guan")
+    sky = float(attenuate(0.0, 30.0, guan).open_sky)
+    opacity = opacity_from_flux(np.array(0.999 * sky), 30.0, guan)
     assert float(opacity) == pytest.approx(float(csda_range(np.array(0.899908))), rel=0.05)
 
 

@@ -15,6 +15,7 @@ def test_names_are_those_of_the_interface():
     assert {"standard_rock", "water", "ice", "limestone", "granite", "basalt"} <= set(MATERIALS)
     assert tuple(MODELS) == (
         "gaisser", "gaisser-tang", "bugaev", "reyna-bugaev", "reyna-hebbeker", "guan",
+        "gsf-sibyll",
     )  # fmt: skip
     assert tuple(GAISSER_PARAMETERS) == (
         "volkova", "gaisser", "klimushin", "aglietta", "ambrosio",

@@ -255,7 +255,7 @@ def test_maps_describe_themselves(counted, at_target):
     assert metadata["BARS_X"] == 8
     assert metadata["SEPARATION"] == 200
     assert metadata["BORESIGHT_AZIMUTH"] == at_target.azimuth_deg
-    assert metadata["FLUX_MODEL"] == "gaisser-tang"
+    assert metadata["FLUX_MODEL"] == "gsf-sibyll"
     assert counted.maps["counts"].pointing == at_target
 
 

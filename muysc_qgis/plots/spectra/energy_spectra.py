@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...radiography.comparison import Comparison, SpectrumCurve
-from ...radiography.spectra import MODELS
+from ...radiography.measured_spectra import carried_to
+from ...radiography.spectra import DEFAULT_MODEL, MODELS
 from .. import charts, style, ticks
 from . import looks
 
@@ -20,6 +21,9 @@ _COLUMNS = 3
 #: Heights (inches) of heading with legend, of a cell's two axes, and below them.
 _HEAD_IN, _MAIN_IN, _RATIO_IN, _GAP_IN, _FOOT_IN, _CELL_TITLE_IN = 1.1, 2.1, 0.8, 0.06, 0.5, 0.24
 _BETWEEN_IN = 0.12
+#: How measured points look.
+_DOTS = {"markersize": 2.2, "markeredgewidth": 0.4, "markerfacecolor": "white"}
+_POINTS = {**_DOTS, "elinewidth": 0.4, "zorder": 3}
 #: Ratios shown.
 _RATIOS = (0.4, 1.6)
 
@@ -38,7 +42,7 @@ def _columns(comparison: Comparison) -> int:
 
 def reference_model(comparison: Comparison) -> str:
     """Return the model that others are divided by: the default one where it takes part."""
-    return "gaisser-tang" if "gaisser-tang" in comparison.models else comparison.models[0]
+    return DEFAULT_MODEL if DEFAULT_MODEL in comparison.models else comparison.models[0]
 
 
 def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
@@ -76,7 +80,7 @@ def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
 
 
 def _lines(comparison: Comparison, reference: str) -> list[str]:
-    altitude = comparison.altitude_m if comparison.physics.altitude_correction else 0.0
+    altitude = comparison.altitude_m if comparison.physics.altitude_counts else 0.0
     where = "at sea level" if altitude == 0 else f"at {altitude:g} m above sea level"
     return [
         f"Muons from the open sky {where}; below, each model divided by "
@@ -101,11 +105,37 @@ def _draw_cell(
         looks.faded_line(
             ratio, one.kinetic_energy_gev, one.flux / base.flux, one.holds, colour, line
         )
+        if np.isfinite(one.error).any():
+            _draw_band(main, ratio, one, base, colour)
+    _draw_measured(main, ratio, base, comparison)
     energy = base.kinetic_energy_gev
     for axes in (main, ratio):
         charts.log_axis(axes, "x", energy[0], energy[-1], 3)
     ratio.set_ylim(*_RATIOS)
     ratio.set_yticks([0.5, 1.0, 1.5], ["0.5", "1", "1.5"])
+
+
+def _draw_band(
+    main: Axes, ratio: Axes, one: SpectrumCurve, base: SpectrumCurve, colour: str
+) -> None:
+    """Shade one standard error to either side of a model."""
+    low, high = one.flux * (1.0 - one.error), one.flux * (1.0 + one.error)
+    look = {"color": colour, "alpha": looks.BAND, "linewidth": 0, "zorder": 1}
+    main.fill_between(one.kinetic_energy_gev, low, high, **look)
+    ratio.fill_between(one.kinetic_energy_gev, low / base.flux, high / base.flux, **look)
+
+
+def _draw_measured(main: Axes, ratio: Axes, base: SpectrumCurve, comparison: Comparison) -> None:
+    """Draw the measured points near an angle, carried there by the muon sky."""
+    altitude = comparison.altitude_m if comparison.physics.altitude_counts else 0.0
+    ln_energy = np.log(base.kinetic_energy_gev)
+    for name, (energy, flux, error) in carried_to(base.zenith_deg, altitude).items():
+        inside = (energy >= base.kinetic_energy_gev[0]) & (energy <= base.kinetic_energy_gev[-1])
+        energy, flux, error = energy[inside], flux[inside], error[inside]
+        reference = np.exp(np.interp(np.log(energy), ln_energy, np.log(base.flux)))
+        look = {"fmt": looks.MEASURED[name], "color": style.INK, "linewidth": 0, **_POINTS}
+        main.errorbar(energy, flux, error, **look)
+        ratio.errorbar(energy, flux / reference, error / reference, **look)
 
 
 def _draw_counted(axes: Axes, angle: float, comparison: Comparison, reference: str) -> None:
@@ -143,6 +173,12 @@ def _draw_legend(figure: Figure, top_in: float, comparison: Comparison) -> None:
         colour, line = looks.MODEL_LOOKS[name]
         artists.append(Line2D([], [], color=colour, linestyle=line, linewidth=1.3))
     labels = [MODELS[name].title for name in comparison.models]
+    nearest = min(comparison.zenith_deg)
+    for name in carried_to(nearest, 0.0):
+        artists.append(
+            Line2D([], [], color=style.INK, linestyle="", marker=looks.MEASURED[name], **_DOTS)
+        )
+        labels.append(f"{name}, carried to the angle")
     if np.isfinite(comparison.minimum_energy_gev):
         artists.append(Patch(facecolor=looks.COUNTED, alpha=0.55, linewidth=0))
         labels.append(

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 #: Colour and line of each flux model (Okabe & Ito 2008); the lines differ as well, for
 #: print without colours.
 MODEL_LOOKS = {
+    "gsf-sibyll": ("#d81b60", "-"),
     "gaisser": ("#e69f00", "-"),
     "gaisser-tang": ("#0072b2", "-"),
     "bugaev": ("#009e73", (0, (6, 1.5))),
@@ -33,6 +34,9 @@ _MATERIAL_LINES = ("-", (0, (6, 1.5)))
 
 #: How much of a line shows outside the range that a model was made for.
 FADED = 0.25
+#: How much of a model's error shows, and the markers of measurements.
+BAND = 0.18
+MEASURED = {"BESS-TeV": "o", "L3+C": "s"}
 #: The area that counts.
 COUNTED = "#f0e442"
 
