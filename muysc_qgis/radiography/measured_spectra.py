@@ -88,7 +88,8 @@ def carried_to(zenith_deg: float, altitude_m: float) -> dict[str, tuple[np.ndarr
     dict
         By experiment: kinetic energy in GeV, dI/dE in cm⁻² s⁻¹ sr⁻¹ GeV⁻¹ and its error.
     """
-    sky, found = muon_sky(), {}
+    sky = muon_sky()
+    found: dict[str, tuple[np.ndarray, ...]] = {}
     every = vertical_spectra()
     for name in np.unique(every.experiment):
         points = every.where(every.experiment == name)
