@@ -110,7 +110,7 @@ class RadiographyAtSites(MuyscAlgorithm):
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         read = (self, parameters)
         dem, layer = read_dem(*read, context)
-        target, assumed = read_point(*read, "TARGET", context, layer)
+        target, assumed = read_point(*read, "TARGET", context, dem, layer)
         target_height = read_number(*read, "TARGET_HEIGHT", context)
         max_range = read_optional(*read, "MAX_RANGE", context)
         near_field = read_number(*read, "NEAR_FIELD", context)
@@ -121,7 +121,7 @@ class RadiographyAtSites(MuyscAlgorithm):
             raise MuyscError(
                 f"QUANTITIES is empty; choose at least one of {', '.join(_QUANTITIES)}."
             )
-        sites, notes, lost = read_sites(*read, context, layer)
+        sites, notes, lost = read_sites(*read, context, dem, layer)
         stations, skipped = stations_of(dem, sites, target, target_height, aperture)
         return _Inputs(
             dem,

@@ -116,13 +116,15 @@ class ReconstructionTest(MuyscAlgorithm):
         read = (self, parameters)
         choices = read_reconstruction(*read, context, wanted(parameters, "DENSITY_ERROR"))
         dem, layer = read_dem(*read, context)
-        target, notes = read_point(*read, "TARGET", context, layer)
+        target, notes = read_point(*read, "TARGET", context, dem, layer)
         target_height = read_number(*read, "TARGET_HEIGHT", context)
         aperture = read_aperture(*read, context)
         physics = read_physics(*read, context, density=False)
         sites, assumed, lost = read_stations(*read, context, dem, layer, target)
         stations, skipped = stations_of(dem, sites, target, target_height, aperture)
-        crs = read_crs(*read, context) or projection_for(dem, *to_wgs84(dem.crs, *target))
+        crs = read_crs(*read, context) or projection_for(
+            dem, *to_wgs84(dem.crs, *target, dem.transformation)
+        )
         model, more = read_model(*read, context, dem, layer, target, crs, physics.density)
         return _Inputs(
             dem,

@@ -112,7 +112,7 @@ class SiteSelection(MuyscAlgorithm):
     def read(self, parameters: dict[str, Any], context: QgsProcessingContext) -> _Inputs:
         read = (self, parameters)
         dem, layer = read_dem(*read, context)
-        target, assumed = read_point(*read, "TARGET", context, layer)
+        target, assumed = read_point(*read, "TARGET", context, dem, layer)
         max_range = read_optional(*read, "MAX_RANGE", context)
         (
             near_field, target_height, detector_height, radius, depth, thin, thick, days,

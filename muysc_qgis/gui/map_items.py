@@ -11,12 +11,14 @@ from qgis.core import (
     QgsCsException,
     QgsGeometry,
     QgsPointXY,
+    QgsProcessingContext,
     QgsProject,
 )
 from qgis.gui import QgsMapCanvas, QgsRubberBand, QgsVertexMarker
 from qgis.PyQt import sip
 from qgis.PyQt.QtGui import QColor
 
+from ...processing_algorithms.parameters.transformation import passage
 from ..plots.style import DETECTOR, GROUND_SEEN, RAY
 from ..topography.footprint import Outline
 from ..workflows.simulation import outlines
@@ -132,11 +134,16 @@ class MapItems:
     def _around(
         self, preview: Preview, azimuth_deg: np.ndarray, distance_m: np.ndarray
     ) -> list[QgsPointXY]:
-        """Return points around the detector in the map's system."""
+        """Return points around the detector in the map's system, none where it does not reach.
+
+        By the transformation that brought the detector from the map to the DEM.
+        """
         frame = preview.inputs.sight.frame
         x, y = frame.dem.crs_position(*frame.ground_positions(azimuth_deg, distance_m))
-        points = [QgsPointXY(px, py) for px, py in zip(x.tolist(), y.tolist())]
-        return self._on_canvas(points, preview.crs)
+        context = QgsProcessingContext()
+        context.setProject(QgsProject.instance())
+        on_map = self._canvas.mapSettings().destinationCrs()
+        return passage("DETECTOR", on_map, frame.dem, preview.crs, context).from_dem(x, y)
 
     def _on_canvas(
         self, points: Iterable[QgsPointXY], crs: QgsCoordinateReferenceSystem

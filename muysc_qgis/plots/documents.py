@@ -17,7 +17,7 @@ from ..workflows.simulation import Simulation, outlines
 from .overview_map import overview_map
 from .panel import muogram_panel, summary_panel
 from .profile import section_panel
-from .provenance import Provenance, physics_of
+from .provenance import Provenance, physics_of, transformation_rows
 from .rays import Ray
 from .report import PixelCount, Report, ReportFigure, Row
 from .style import REPORT_DPI, png_bytes
@@ -218,7 +218,8 @@ def _results(simulation: Simulation) -> list[Row]:
             rows.append(Row(f"Smallest {kind.title.lower()}", _rounded(known.min()), kind.unit))
             rows.append(Row(f"Largest {kind.title.lower()}", _rounded(known.max()), kind.unit))
     median = _rounded(simulation.median_exposure_days)
-    return [*rows, Row("Median exposure behind rock", median, "days")]
+    rows.append(Row("Median exposure behind rock", median, "days"))
+    return [*rows, *transformation_rows(flux.metadata)]
 
 
 def _rounded(value: float) -> float:

@@ -44,6 +44,18 @@ class Provenance:
         )
 
 
+def transformation_rows(metadata: Mapping[str, str | float]) -> list[Row]:
+    """Return how positions are tied to WGS 84, from metadata; nothing where they are on it."""
+    if "TRANSFORMATION" not in metadata:
+        return []
+    accuracy = metadata.get("TRANSFORMATION_ACCURACY", "unknown")
+    unit = "" if accuracy == "unknown" else "m"
+    return [
+        Row("Transformation between the elevation model and WGS 84", metadata["TRANSFORMATION"]),
+        Row("Accuracy of the transformation", accuracy, unit),
+    ]
+
+
 def physics_citations(flux_model: str, energy_loss: str) -> list[Citation]:
     """Return the works behind a choice of physics, by the names of its parameters."""
     return [

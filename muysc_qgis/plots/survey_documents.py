@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..workflows.provenance import describe_transformation
 from ..workflows.site_assessment import SurveyPlan
 from ..workflows.site_selection import Selection
-from .provenance import Provenance, physics_citations
+from .provenance import Provenance, physics_citations, transformation_rows
 from .report import Citation, Report, ReportFigure, Row
 from .style import REPORT_DPI, png_bytes
 from .survey_panel import survey_maps, survey_panel
@@ -71,7 +72,7 @@ def report(
         title="Where to put the telescope",
         subtitle=f"{len(candidates)} candidates on the elevation model {plan.dem.name}",
         figures=drawn,
-        results=_rows(selection),
+        results=[*_rows(selection), *transformation_rows(describe_transformation(plan.dem))],
         warnings=selection.warnings,
         citations=[
             _GREEDY,

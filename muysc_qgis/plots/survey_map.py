@@ -67,6 +67,7 @@ class SurveyMap:
             plan.dem.crs,
             grid.left + grid.spacing_m * column,
             grid.top - grid.spacing_m * row,
+            by=plan.dem.transformation,
         )
         azimuth, distance = frame.polar(*plan.dem.grid_position(x, y))
         turn = np.radians(azimuth)

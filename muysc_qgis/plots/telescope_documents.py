@@ -9,7 +9,7 @@ from ..telescope.geometry import TelescopeGeometry
 from ..telescope.presets import PRESETS
 from ..topography.sight import Sight
 from ..workflows.expected_counts import TelescopeCounts
-from .provenance import Provenance, physics_of
+from .provenance import Provenance, physics_of, transformation_rows
 from .report import Citation, PixelCount, Report, ReportFigure, Row
 from .style import REPORT_DPI, png_bytes
 from .telescope_comparison import comparison_panel
@@ -142,7 +142,7 @@ def counts_report(
         title="Expected counts in a telescope",
         subtitle=f"{telescope_title(name)} on the elevation model {sight.frame.dem.name}",
         figures=drawn,
-        results=_count_rows(counts, sight),
+        results=[*_count_rows(counts, sight), *transformation_rows(flux.metadata)],
         pixels=pixels,
         pixel_total=counts.trajectories,
         warnings=[*notes, *counts.warnings],

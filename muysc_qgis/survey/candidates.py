@@ -128,7 +128,7 @@ def find_candidates(
         off the DEM.
     """
     map_x, map_y = grid.centres() if places is None else places
-    x, y = transformed(grid.crs, dem.crs, map_x, map_y)
+    x, y = transformed(grid.crs, dem.crs, map_x, map_y, by=dem.transformation)
     column, row = dem.grid_position(x, y)
     height = heights_at(dem, column, row)
     frame = local_frame(dem, *target, "target")
@@ -145,7 +145,7 @@ def find_candidates(
     asked = int(kept.sum())
     tests["off the DEM or in a gap of it"] = np.isfinite(height)
     if mask is not None:
-        tests["outside the mask"] = mask.holds(grid.crs, map_x, map_y)
+        tests["outside the mask"] = mask.holds(grid.crs, map_x, map_y, dem.transformation)
     tests[f"nearer than {limits.nearest_m:g} m to the target"] = distance >= limits.nearest_m
     tests[f"farther than {limits.farthest_m:g} m from the target"] = distance <= limits.farthest_m
     if limits.slope_deg is not None:
@@ -174,7 +174,7 @@ def _slope_deg(dem: Dem, grid: MapGrid, x: np.ndarray, y: np.ndarray, step_m: fl
     """Return the slope between points one step to each side, degrees."""
 
     def height(dx: float, dy: float) -> np.ndarray:
-        moved = transformed(grid.crs, dem.crs, x + dx, y + dy)
+        moved = transformed(grid.crs, dem.crs, x + dx, y + dy, by=dem.transformation)
         return heights_at(dem, *dem.grid_position(*moved))
 
     east = (height(step_m, 0.0) - height(-step_m, 0.0)) / (2 * step_m)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import MuyscError, detail_of
+from ..topography.datum import Transformation
 from ..topography.dem import Dem
 
 #: Largest piece of terrain that is held, bytes.
@@ -93,7 +94,8 @@ def plain_dem(dem: Dem) -> dict[str, Any]:
     plain = {
         field.name: getattr(dem, field.name) for field in fields(Dem) if field.name != "_dataset"
     }
-    return {**plain, "crs": dem.crs.to_json()}
+    by = dem.transformation
+    return {**plain, "crs": dem.crs.to_json(), "transformation": by and by.plain()}
 
 
 def reopened_dem(settings: Mapping[str, Any]) -> Dem:
@@ -119,8 +121,10 @@ def _fields(settings: Mapping[str, Any]) -> dict[str, Any]:
     """Return fields of a DEM from plain settings, which may have been text in between."""
     from pyproj import CRS
 
+    by = settings["transformation"]
     return {
         **settings,
+        "transformation": by and Transformation.of(by),
         "crs": CRS.from_json(settings["crs"]),
         "geotransform": tuple(settings["geotransform"]),
         "assumptions": tuple(settings["assumptions"]),

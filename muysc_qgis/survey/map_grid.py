@@ -65,7 +65,7 @@ def survey_crs(dem: Dem, target: tuple[float, float]) -> CRS:
     """
     from pyproj import CRS, Proj
 
-    longitude, latitude = to_wgs84(dem.crs, *target)
+    longitude, latitude = to_wgs84(dem.crs, *target, dem.transformation)
     crs = dem.crs
     if crs.is_projected and {axis.unit_name for axis in crs.axis_info} == {"metre"}:
         frame = local_frame(dem, *target, "target")
@@ -120,7 +120,9 @@ def grid_around(
             f"A largest distance of {radius_m:g} m leaves no place; give one above 0 m."
         )
     crs = survey_crs(dem, target)
-    x, y = transformed(dem.crs, crs, np.array([target[0]]), np.array([target[1]]))
+    x, y = transformed(
+        dem.crs, crs, np.array([target[0]]), np.array([target[1]]), by=dem.transformation
+    )
     # A little wider than the circle, whose scale on the map is not exactly 1.
     reach = radius_m * (1 + _SCALE_ERROR)
     ends = np.array([-reach, reach])

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import MuyscError, detail_of
+from ..topography.datum import Transformation
 from ..topography.frame import transformed
 
 if TYPE_CHECKING:
@@ -22,8 +23,12 @@ class Mask:
     path: str
     crs: CRS
 
-    def holds(self, crs: CRS, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    def holds(
+        self, crs: CRS, x: np.ndarray, y: np.ndarray, by: Transformation | None = None
+    ) -> np.ndarray:
         """Return whether points of a CRS lie on cells that allow them, (n,).
+
+        `by` is the transformation of the terrain, see `transformed`.
 
         Raises
         ------
@@ -36,7 +41,7 @@ class Mask:
         try:
             dataset = gdal.Open(self.path)
             left, step_x, skew_x, top, skew_y, step_y = dataset.GetGeoTransform()
-            own_x, own_y = transformed(crs, self.crs, x, y)
+            own_x, own_y = transformed(crs, self.crs, x, y, by=by)
             determinant = step_x * step_y - skew_x * skew_y
             dx, dy = own_x - left, own_y - top
             column = np.floor((step_y * dx - skew_x * dy) / determinant)

@@ -37,15 +37,15 @@ class Search:
         MuyscError
             If there is none, or the spacing makes too many.
         """
-        dem, crs = self.dem, survey_crs(self.dem, self.target)
+        dem, crs, by = self.dem, survey_crs(self.dem, self.target), self.dem.transformation
         roads = self.roads
         if roads is not None:
-            ends = [transformed(dem.crs, crs, *roads[:, i : i + 2].T) for i in (0, 2)]
+            ends = [transformed(dem.crs, crs, *roads[:, i : i + 2].T, by=by) for i in (0, 2)]
             roads = np.column_stack([*ends[0], *ends[1]])
         mask = None if self.mask is None else mask_of(*self.mask)
         if self.points is None:
             grid = grid_around(dem, self.target, self.limits.farthest_m, self.spacing_m)
             return find_candidates(dem, self.target, grid, self.limits, None, mask, roads)
-        x, y = transformed(dem.crs, crs, *self.points.T)
+        x, y = transformed(dem.crs, crs, *self.points.T, by=by)
         grid = grid_over(crs, x, y, self.spacing_m)
         return find_candidates(dem, self.target, grid, self.limits, (x, y), mask, roads)

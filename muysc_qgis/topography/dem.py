@@ -10,6 +10,7 @@ import numpy as np
 
 from ..errors import MuyscError, detail_of
 from ..geotiff import FARTHEST, raster_reader, reach_of
+from .datum import Transformation, own_transformation
 from .heights import LOWEST_M, PEAK_M, UNFLAGGED_NO_DATA_M, metres_per_unit
 
 if TYPE_CHECKING:
@@ -42,12 +43,19 @@ class Dem:
     no_data: float | None
     #: What was assumed about the heights, where the file does not say.
     assumptions: tuple[str, ...]
+    #: To WGS 84 and back, None where `crs` is on it.
+    transformation: Transformation | None
     _dataset: Any
 
     @property
     def name(self) -> str:
         """File name, for messages."""
         return Path(self.path).name
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """What must be known of heights and positions before they are trusted, a sentence each."""
+        return (*self.assumptions, *(self.transformation.doubts if self.transformation else ()))
 
     @property
     def _turn(self) -> float:
@@ -248,17 +256,20 @@ def open_dem(path: str | Path, band: int = 1, crs: str | None = None, unit: str 
     factor, assumption = metres_per_unit(unit, raster_band.GetUnitType(), full_crs, name)
     scale = raster_band.GetScale()
     offset = raster_band.GetOffset()
+    crs_on_map = _horizontal(full_crs)
+    middle = gdal.ApplyGeoTransform(geotransform, dataset.RasterXSize / 2, dataset.RasterYSize / 2)
     return Dem(
         str(path),
         band,
         dataset.RasterXSize,
         dataset.RasterYSize,
         tuple(geotransform),
-        _horizontal(full_crs),
+        crs_on_map,
         (1.0 if scale is None else scale) * factor,
         (0.0 if offset is None else offset) * factor,
         raster_band.GetNoDataValue(),
         (assumption,) if assumption else (),
+        own_transformation(crs_on_map, *middle),
         dataset,
     )
 

@@ -88,7 +88,9 @@ def check_detector(muogram: View, dem: Dem) -> tuple[LocalFrame, float]:
     MuyscError
         If the detector is off the DEM or the muogram does not say where it is.
     """
-    position = from_wgs84(dem.crs, muogram.number("DETECTOR_LON"), muogram.number("DETECTOR_LAT"))
+    position = from_wgs84(
+        dem.crs, muogram.number("DETECTOR_LON"), muogram.number("DETECTOR_LAT"), dem.transformation
+    )
     return local_frame(dem, *position, "detector"), muogram.number("DETECTOR_ELEVATION")
 
 

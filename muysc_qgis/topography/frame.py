@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from ..errors import MuyscError
+from .datum import Transformation, degrees_of, transformer, wgs84
 from .sampling import heights_at
 
 if TYPE_CHECKING:
-    from pyproj import CRS, Geod, Transformer
+    from pyproj import CRS, Geod
 
     from .dem import Dem
 
@@ -20,21 +21,6 @@ if TYPE_CHECKING:
 #: path is straight in the raster's own coordinates; the sagitta, at most
 #: step² tan(latitude) / 8R, is 3 cm at 80° latitude.
 PATH_STEP_M = 500.0
-
-
-@lru_cache(maxsize=64)
-def _transformer(source: CRS, target: CRS) -> Transformer:
-    """Return a cached transformer; building one costs more than using it."""
-    from pyproj import Transformer
-    from pyproj.exceptions import ProjError
-
-    try:
-        return Transformer.from_crs(source, target, always_xy=True)
-    except ProjError as error:
-        raise MuyscError(
-            f"No transformation leads from {source.name} to {target.name}; assign the raster a "
-            "coordinate reference system on the Earth."
-        ) from error
 
 
 @dataclass(frozen=True)
@@ -97,11 +83,13 @@ class LocalFrame:
         from pyproj.crs.coordinate_operation import AzimuthalEquidistantConversion
 
         conversion = AzimuthalEquidistantConversion(self.latitude, self.longitude)
-        return str(ProjectedCRS(conversion, geodetic_crs=_degrees(self.dem.crs)).to_wkt())
+        return str(ProjectedCRS(conversion, geodetic_crs=degrees_of(self.dem.crs)).to_wkt())
 
     def wgs84(self) -> tuple[float, float]:
         """Return longitude and latitude of the origin on WGS 84, degrees."""
-        return to_wgs84(_degrees(self.dem.crs), self.longitude, self.latitude)
+        return to_wgs84(
+            degrees_of(self.dem.crs), self.longitude, self.latitude, self.dem.transformation
+        )
 
 
 def _radius_m(geod: Geod, latitude: float) -> float:
@@ -120,41 +108,19 @@ def _from_geographic(
     """Project longitude and latitude of the CRS's own datum (degrees)."""
     if crs.is_geographic and crs.axis_info[0].unit_name == "degree":
         return longitude, latitude
-    return _transformer(_degrees(crs), crs).transform(longitude, latitude)
+    return transformer(degrees_of(crs), crs).transform(longitude, latitude)
 
 
 def _to_geographic(crs: CRS, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     if crs.is_geographic and crs.axis_info[0].unit_name == "degree":
         return np.asarray(x), np.asarray(y)
-    longitude, latitude = _transformer(crs, _degrees(crs)).transform(x, y)
+    longitude, latitude = transformer(crs, degrees_of(crs)).transform(x, y)
     return np.asarray(longitude), np.asarray(latitude)
 
 
-@lru_cache(maxsize=64)
-def _degrees(crs: CRS) -> CRS:
-    """Return the geographic CRS on the datum of another, in degrees.
-
-    A few national datums count in grads (NTF in Paris, for one).
-    """
-    from pyproj.crs import GeographicCRS
-
-    geodetic = cast("CRS", crs.geodetic_crs)  # none: refused when the DEM was opened
-    if geodetic.axis_info[0].unit_name == "degree":
-        return geodetic
-    return GeographicCRS(geodetic.name, datum=geodetic.datum)
-
-
-@lru_cache(maxsize=1)
-def _wgs84() -> CRS:
-    """Return WGS 84; making it takes longer than a transformation."""
-    from pyproj import CRS
-
-    return CRS.from_epsg(4326)
-
-
-def to_wgs84(crs: CRS, x: float, y: float) -> tuple[float, float]:
-    """Return WGS 84 longitude and latitude (degrees) of a point in any CRS."""
-    longitude, latitude = _transformer(crs, _wgs84()).transform(x, y)
+def to_wgs84(crs: CRS, x: float, y: float, by: Transformation | None = None) -> tuple[float, float]:
+    """Return WGS 84 longitude and latitude (degrees) of a point in any CRS; see `transformed`."""
+    longitude, latitude = _moved(crs, wgs84(), x, y, by)
     return float(longitude), float(latitude)
 
 
@@ -207,18 +173,48 @@ def ground_height(dem: Dem, x: float, y: float, what: str) -> float:
     return height
 
 
-def from_wgs84(crs: CRS, longitude: float, latitude: float) -> tuple[float, float]:
-    """Return the position in any CRS of a WGS 84 longitude and latitude (degrees)."""
-    x, y = _transformer(_wgs84(), crs).transform(longitude, latitude)
+def from_wgs84(
+    crs: CRS, longitude: float, latitude: float, by: Transformation | None = None
+) -> tuple[float, float]:
+    """Return the position in any CRS of a WGS 84 longitude and latitude; see `transformed`."""
+    x, y = _moved(wgs84(), crs, longitude, latitude, by)
     return float(x), float(y)
 
 
 def transformed(
-    source: CRS, target: CRS, x: np.ndarray, y: np.ndarray
+    source: CRS, target: CRS, x: np.ndarray, y: np.ndarray, *, by: Transformation | None = None
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return positions of one CRS in another, any shape."""
-    new_x, new_y = _transformer(source, target).transform(x, y)
+    """Return positions of one CRS in another, any shape.
+
+    Parameters
+    ----------
+    source, target
+        From which and to which.
+    x, y
+        Positions in the first.
+    by
+        The transformation of the terrain, which leads from and to its datum; None leaves the
+        choice to PROJ.
+
+    Raises
+    ------
+    MuyscError
+        If nothing leads from one to the other.
+    """
+    new_x, new_y = _moved(source, target, x, y, by)
     return np.asarray(new_x), np.asarray(new_y)
+
+
+def _moved(source: CRS, target: CRS, x: Any, y: Any, by: Transformation | None) -> tuple[Any, Any]:
+    """Return positions of one CRS in another, by way of WGS 84 from or to the terrain's datum."""
+    if by is not None and by.shares_datum(source) and not by.shares_datum(target):
+        x, y = by.to_wgs84(*transformer(source, by.crs).transform(x, y))
+        source = wgs84()
+    elif by is not None and by.shares_datum(target) and not by.shares_datum(source):
+        x, y = by.from_wgs84(*transformer(source, wgs84()).transform(x, y))
+        source = by.crs
+    moved: tuple[Any, Any] = transformer(source, target).transform(x, y)
+    return moved
 
 
 def geodesic_ends(

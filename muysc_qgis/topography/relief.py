@@ -98,7 +98,7 @@ def relief_on_map(
     """
     step = max(x[1] - x[0], y[1] - y[0]) / pixels
     east, north = np.mean(x) + step * np.array([0, 1, 0]), np.mean(y) + step * np.array([0, 0, 1])
-    column, row = dem.grid_position(*transformed(crs, dem.crs, east, north))
+    column, row = dem.grid_position(*transformed(crs, dem.crs, east, north, by=dem.transformation))
     coarse = bool(max(np.ptp(column), np.ptp(row)) > 1)
     return _warped(dem, crs.to_wkt(), x, y, step, coarse)
 

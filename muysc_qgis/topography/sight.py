@@ -85,7 +85,7 @@ def take_sight(
         detector_height_m,
         eye,
         frame.wgs84(),
-        to_wgs84(dem.crs, *target),
+        to_wgs84(dem.crs, *target, dem.transformation),
         aim,
         distance,
         azimuth,

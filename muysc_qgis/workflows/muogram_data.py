@@ -275,9 +275,8 @@ def _other_ground(one: NamedView, station: StationData, dem: Dem) -> list[str]:
     """Return a warning where the detector is not as high above the DEM as its muogram says."""
     if "DETECTOR_HEIGHT" not in one.view.metadata:
         return []
-    ground = ground_height(
-        dem, *from_wgs84(dem.crs, station.longitude, station.latitude), "detector"
-    )
+    place = from_wgs84(dem.crs, station.longitude, station.latitude, dem.transformation)
+    ground = ground_height(dem, *place, "detector")
     off = station.elevation_m - one.number("DETECTOR_HEIGHT") - ground
     if abs(off) < _SAME_GROUND_M:
         return []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..radiography.settings import Physics
+from ..topography.dem import Dem
 from ..topography.sight import Sight
 from ..views import View
 
@@ -32,7 +33,20 @@ def describe_sight(
     }
     if max_range_m is not None:
         description["MAX_RANGE"] = max_range_m
-    return description
+    return {**description, **describe_transformation(dem)}
+
+
+def describe_transformation(dem: Dem) -> dict[str, str | float]:
+    """Return the metadata that say how positions on a DEM are tied to WGS 84.
+
+    The name of the operation and its accuracy in m, or “unknown”; nothing where the DEM is on
+    WGS 84.
+    """
+    by = dem.transformation
+    if by is None:
+        return {}
+    accuracy = "unknown" if by.accuracy_m is None else by.accuracy_m
+    return {"TRANSFORMATION": by.name, "TRANSFORMATION_ACCURACY": accuracy}
 
 
 def describe_physics(physics: Physics) -> dict[str, str | float]:

@@ -311,7 +311,7 @@ def terrain_warnings(sight: Sight, rock: RockPaths, max_range_m: float | None) -
     rock
         What the rays met.
     """
-    warnings = [*sight.frame.dem.assumptions]
+    warnings = [*sight.frame.dem.doubts]
     if sight.detector_height_m < 0:
         warnings.append(
             f"The detector is {-sight.detector_height_m:g} m below ground: every ray starts in "

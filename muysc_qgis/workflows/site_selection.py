@@ -129,7 +129,9 @@ def select_sites(
     if not np.any(numbers["score"] > 0):
         raise MuyscError(_unseen(plan, numbers))
     score = np.nan_to_num(numbers["score"])
-    x, y = transformed(plan.dem.crs, candidates.grid.crs, candidates.x, candidates.y)
+    x, y = transformed(
+        plan.dem.crs, candidates.grid.crs, candidates.x, candidates.y, by=plan.dem.transformation
+    )
     telescopes, coverage = telescope_set(
         candidates.azimuth_deg, score, wanted.telescopes, wanted.width
     )
@@ -169,7 +171,7 @@ def _warnings(
     telescopes: int,
 ) -> list[str]:
     count = len(numbers["score"])
-    said = [*plan.dem.assumptions, *plan.view.telescope.notes]
+    said = [*plan.dem.doubts, *plan.view.telescope.notes]
     if unusable:
         often, _ = Counter(unusable).most_common(1)[0]
         said.append(f"{len(unusable)} of {count} candidates have no numbers: {often}")

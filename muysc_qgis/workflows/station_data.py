@@ -95,7 +95,7 @@ def rock_seen(station: StationData, dem: Dem, progress: Progress = silent) -> Ro
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    x, y = from_wgs84(dem.crs, station.longitude, station.latitude)
+    x, y = from_wgs84(dem.crs, station.longitude, station.latitude, dem.transformation)
     frame = local_frame(dem, x, y, f"detector of {station.name}")
     limits = (station.max_range_m, station.near_field_m, progress)
     # Rays that share an azimuth share a profile; those of a muogram all do.

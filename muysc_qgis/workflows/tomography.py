@@ -158,11 +158,12 @@ def survey(
     if rock is None:
         rock = rock_of_all(stations, dem, part(progress, 0.0, _TRACED))
     crs = crs or projection_of(stations, dem)
-    rough = VolumeFrame.around(crs, from_wgs84(crs, *_somewhere(stations)))
+    by = dem.transformation
+    rough = VolumeFrame.around(crs, from_wgs84(crs, *_somewhere(stations), by), by)
     grid = volume_grid(plan, rough, stations, rock, dem)
     _check_voxels(grid, memory_bytes)
     middle = [0.5 * (low + high) for low, high in zip(grid.origin_m, grid.end_m)]
-    frame = VolumeFrame.around(crs, (middle[0], middle[1]))
+    frame = VolumeFrame.around(crs, (middle[0], middle[1]), by)
     return lay_sightlines(stations, rock, grid, frame, dem, mask, part(progress, _TRACED, 1.0))
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..tomography.voxels import VoxelGrid
+from ..topography.datum import Transformation
 from ..topography.dem import Dem
 from ..topography.frame import from_wgs84, gaussian_radius_m, geodesic_ends, to_wgs84
 
@@ -46,9 +47,13 @@ class VolumeFrame:
     scale: float
     #: Radius of the Earth in the middle.
     radius_m: float
+    #: That of the terrain, which counts where the CRS is on its datum.
+    by: Transformation | None = None
 
     @classmethod
-    def around(cls, crs: CRS, middle: tuple[float, float]) -> VolumeFrame:
+    def around(
+        cls, crs: CRS, middle: tuple[float, float], by: Transformation | None = None
+    ) -> VolumeFrame:
         """Return the frame around a position of a projected CRS.
 
         Raises
@@ -65,7 +70,7 @@ class VolumeFrame:
                 "voxels of one size; choose a projection that is true to scale, such as the UTM "
                 f"zone {utm_zone(*to_wgs84(crs, *middle)).name}."
             )
-        return cls(crs, middle, scale, gaussian_radius_m(crs, *middle))
+        return cls(crs, middle, scale, gaussian_radius_m(crs, *middle), by)
 
     def metric(self, grid: VoxelGrid) -> VoxelGrid:
         """Return a grid of the CRS in true metres around the middle."""
@@ -80,7 +85,7 @@ class VolumeFrame:
 
     def place(self, longitude: float, latitude: float) -> tuple[float, float]:
         """Return the position in the CRS of a WGS 84 longitude and latitude in degrees."""
-        return from_wgs84(self.crs, longitude, latitude)
+        return from_wgs84(self.crs, longitude, latitude, self.by)
 
     def drop(self, east_m: np.ndarray, north_m: np.ndarray) -> np.ndarray:
         """Return how far (m) level surfaces lie below the frame's planes at positions in it."""

@@ -66,7 +66,7 @@ def ground_below(
         # What is averaged may lie beyond the last node, and the DEM ends there.
         x = np.clip(east, *_span(grid, 0))[:, None] if parts > 1 else east[:, None]
         y = np.clip(north, *_span(grid, 1))[None, :] if parts > 1 else north[None, :]
-        points = transformed(frame.crs, dem.crs, *np.broadcast_arrays(x, y))
+        points = transformed(frame.crs, dem.crs, *np.broadcast_arrays(x, y), by=dem.transformation)
         heights = heights_at(dem, *dem.grid_position(*points))
         heights = heights.reshape(counts[0], parts, len(nodes), parts).mean(axis=(1, 3))
         height[:, nodes] = heights
@@ -117,9 +117,9 @@ def _points_per_node(frame: VolumeFrame, dem: Dem, step: tuple[float, float]) ->
 def _cell_m(frame: VolumeFrame, dem: Dem) -> float:
     """Return the shorter side of a DEM cell at the frame's middle, in metres of the CRS."""
     x, y = np.array([frame.middle[0]]), np.array([frame.middle[1]])
-    column, row = dem.grid_position(*transformed(frame.crs, dem.crs, x, y))
+    column, row = dem.grid_position(*transformed(frame.crs, dem.crs, x, y, by=dem.transformation))
     there = dem.crs_position(np.concatenate([column + 1, column]), np.concatenate([row, row + 1]))
-    beside_x, beside_y = transformed(dem.crs, frame.crs, *there)
+    beside_x, beside_y = transformed(dem.crs, frame.crs, *there, by=dem.transformation)
     return float(np.hypot(beside_x - x, beside_y - y).min())
 
 

@@ -218,7 +218,7 @@ def _cells(
     x: np.ndarray, y: np.ndarray, frame: VolumeFrame, dem: Dem
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the DEM's grid positions of positions in the CRS of the frame."""
-    return dem.grid_position(*transformed(frame.crs, dem.crs, x, y))
+    return dem.grid_position(*transformed(frame.crs, dem.crs, x, y, by=dem.transformation))
 
 
 def _rounded(size: float) -> float:

@@ -19,6 +19,7 @@ from ...muysc_qgis.staging import Staging
 from ...muysc_qgis.topography.drape import DrapedBlock
 from ...muysc_qgis.topography.frame import transformed
 from ...muysc_qgis.topography.raster import write_on_grid
+from ...muysc_qgis.workflows.provenance import describe_transformation
 from ...muysc_qgis.workflows.site_assessment import NUMBERS, SurveyPlan
 from ...muysc_qgis.workflows.site_selection import Selection
 from ..compat import VECTOR_POINT
@@ -111,6 +112,7 @@ def stage_maps(
     metadata: dict[str, str | float] = {
         "DEM": plan.dem.name,
         "CANDIDATES": len(selection.candidates),
+        **describe_transformation(plan.dem),
     }
     for output, (name, number) in _MAPS.items():
         path = destination(algorithm, parameters, output, context)
@@ -138,7 +140,13 @@ def write_sites(
     grid = selection.candidates.grid
     crs = QgsCoordinateReferenceSystem.fromWkt(grid.crs.to_wkt())
     places = np.column_stack(
-        transformed(plan.dem.crs, grid.crs, selection.candidates.x, selection.candidates.y)
+        transformed(
+            plan.dem.crs,
+            grid.crs,
+            selection.candidates.x,
+            selection.candidates.y,
+            by=plan.dem.transformation,
+        )
     )
     measures = ("distance_m", "azimuth_deg", "slope_deg", "road_m")
     names = ("score", *(name for name in NUMBERS if name != "score"))

@@ -123,12 +123,14 @@ def read_model(
     place = target
     notes: list[str] = []
     if given(parameters, "BODY_POSITION"):
-        place, notes = read_point(*read, "BODY_POSITION", context, layer)
+        place, notes = read_point(*read, "BODY_POSITION", context, dem, layer)
     prisms: tuple[Prism, ...] = ()
     if kind == "polygons":
         prisms, assumed = _prisms(*read, context, crs)
         notes = [*notes, *assumed]
-    x, y = transformed(dem.crs, crs, np.array([place[0]]), np.array([place[1]]))
+    x, y = transformed(
+        dem.crs, crs, np.array([place[0]]), np.array([place[1]]), by=dem.transformation
+    )
     model = KnownModel(
         kind=kind,
         density=own_density if density is None else density,

@@ -82,7 +82,7 @@ def read_stations(
     """
     read = (algorithm, parameters)
     if given(parameters, "SITES"):
-        return read_sites(*read, context, layer)
+        return read_sites(*read, context, dem, layer)
     ring = Ring(
         read_number(*read, "RING_RADIUS", context),
         read_count(*read, "RING_SITES", context),

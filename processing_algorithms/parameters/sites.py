@@ -7,8 +7,6 @@ from collections.abc import Iterable
 from typing import Any
 
 from qgis.core import (
-    QgsCoordinateTransform,
-    QgsCsException,
     QgsFeature,
     QgsFeatureSource,
     QgsGeometry,
@@ -21,8 +19,10 @@ from qgis.core import (
 )
 
 from ...muysc_qgis.errors import MuyscError
+from ...muysc_qgis.topography.dem import Dem
 from ...muysc_qgis.workflows.sites import Site, file_stems
 from ..compat import NUMERIC_FIELD, VECTOR_POINT
+from .transformation import Passage, passage
 from .values import explained, given, read_number
 from .view import detector_height_parameter
 
@@ -58,6 +58,7 @@ def read_sites(
     algorithm: QgsProcessingAlgorithm,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    dem: Dem,
     layer: QgsRasterLayer,
 ) -> tuple[list[Site], list[str], list[str]]:
     """Return the sites in the CRS of the DEM's layer, what was assumed, and who has no place.
@@ -74,12 +75,12 @@ def read_sites(
     name_field = _field(*read, "NAME_FIELD", context, source)
     height_field = _field(*read, "HEIGHT_FIELD", context, source)
     height = read_number(*read, "DETECTOR_HEIGHT", context)
-    to_dem, notes = transform_to(layer, source, "SITES", context)
+    way, notes = way_to(dem, layer, source, "SITES", context)
     # Each point of a multipoint is a site.
     places = [
         (feature, point)
         for feature in source.getFeatures()
-        for point in points_of(feature.geometry(), to_dem)
+        for point in points_of(feature.geometry(), way)
     ]
     names = [_text(feature, name_field) for feature, _ in places]
     sites, lost = [], []
@@ -133,27 +134,14 @@ def _number(feature: QgsFeature, index: int | None, name: str) -> float | None:
     return value
 
 
-def points_of(
-    geometry: QgsGeometry, to_dem: QgsCoordinateTransform
-) -> list[tuple[float, float] | None]:
+def points_of(geometry: QgsGeometry, way: Passage) -> list[tuple[float, float] | None]:
     """Return the points of a geometry in the DEM's CRS, None for one that has no place."""
-    return placed(geometry.vertices(), to_dem) or [None]
+    return placed(geometry.vertices(), way) or [None]
 
 
-def placed(
-    points: Iterable[Any], to_dem: QgsCoordinateTransform
-) -> list[tuple[float, float] | None]:
+def placed(points: Iterable[Any], way: Passage) -> list[tuple[float, float] | None]:
     """Return points of QGIS in the DEM's CRS, None for one that has no place there."""
-    places: list[tuple[float, float] | None] = []
-    for point in points:
-        try:
-            moved = to_dem.transform(point.x(), point.y())
-        except QgsCsException:
-            places.append(None)
-        else:
-            finite = math.isfinite(moved.x()) and math.isfinite(moved.y())
-            places.append((moved.x(), moved.y()) if finite else None)
-    return places
+    return [way.to_dem(point.x(), point.y()) for point in points]
 
 
 def point_source(
@@ -179,12 +167,17 @@ def point_source(
     return source
 
 
-def transform_to(
-    layer: QgsRasterLayer, source: QgsFeatureSource, name: str, context: QgsProcessingContext
-) -> tuple[QgsCoordinateTransform, list[str]]:
+def way_to(
+    dem: Dem,
+    layer: QgsRasterLayer,
+    source: QgsFeatureSource,
+    name: str,
+    context: QgsProcessingContext,
+) -> tuple[Passage, list[str]]:
     """Return the way from a layer to the CRS of the DEM's layer, and what was assumed for it."""
     crs, notes = source.sourceCrs(), []
     if not crs.isValid():
         crs = layer.crs()
         notes.append(f"{name} has no coordinate reference system; {crs.authid()} was assumed.")
-    return QgsCoordinateTransform(crs, layer.crs(), context.transformContext()), notes
+    way = passage(name, crs, dem, layer.crs(), context)
+    return way, [*notes, *way.notes]

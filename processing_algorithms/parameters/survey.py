@@ -20,7 +20,7 @@ from ...muysc_qgis.survey.search import Search
 from ...muysc_qgis.topography.dem import Dem
 from ...muysc_qgis.workflows.site_selection import Wanted
 from ..compat import VECTOR_LINE, VECTOR_POINT
-from .sites import placed, point_source, points_of, transform_to
+from .sites import placed, point_source, points_of, way_to
 from .terrain import raster_layer
 from .values import explained, given, number, read_count, read_number, read_optional
 
@@ -174,10 +174,10 @@ def read_search(
     points, roads, mask = None, None, None
     notes: list[str] = []
     if given(parameters, "CANDIDATES"):
-        points, assumed = _read_points(*read, context, layer)
+        points, assumed = _read_points(*read, context, dem, layer)
         notes += assumed
     if given(parameters, "ROADS"):
-        roads, assumed = _read_roads(*read, context, layer)
+        roads, assumed = _read_roads(*read, context, dem, layer)
         notes += assumed
     if given(parameters, "MASK"):
         raster = raster_layer(*read, "MASK", context)
@@ -209,12 +209,13 @@ def _read_points(
     algorithm: QgsProcessingAlgorithm,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    dem: Dem,
     layer: QgsRasterLayer,
 ) -> tuple[np.ndarray, list[str]]:
     source = point_source(algorithm, parameters, "CANDIDATES", context)
-    to_dem, notes = transform_to(layer, source, "CANDIDATES", context)
+    way, notes = way_to(dem, layer, source, "CANDIDATES", context)
     found = [
-        point for feature in source.getFeatures() for point in points_of(feature.geometry(), to_dem)
+        point for feature in source.getFeatures() for point in points_of(feature.geometry(), way)
     ]
     points = [point for point in found if point is not None]
     if len(points) < len(found):
@@ -230,19 +231,20 @@ def _read_roads(
     algorithm: QgsProcessingAlgorithm,
     parameters: dict[str, Any],
     context: QgsProcessingContext,
+    dem: Dem,
     layer: QgsRasterLayer,
 ) -> tuple[np.ndarray, list[str]]:
     source = algorithm.parameterAsSource(parameters, "ROADS", context)
     if source is None:
         raise MuyscError(f"ROADS “{parameters['ROADS']}” is no layer; choose a layer of lines.")
-    to_dem, notes = transform_to(layer, source, "ROADS", context)
+    way, notes = way_to(dem, layer, source, "ROADS", context)
     segments: list[tuple[float, ...]] = []
     for feature in source.getFeatures():
         geometry = feature.geometry()
         # A feature without a geometry has no part; curves come as straight pieces.
         for part in geometry.constParts():
             line = part.segmentize()
-            points = placed(line.vertices(), to_dem)
+            points = placed(line.vertices(), way)
             segments += [
                 (*start, *end)
                 for start, end in zip(points, points[1:])

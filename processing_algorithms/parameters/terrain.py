@@ -17,6 +17,7 @@ from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.geotiff import is_endless
 from ...muysc_qgis.topography.dem import Dem, open_dem
 from ...muysc_qgis.topography.heights import UNITS
+from .transformation import with_transformation
 from .values import choice, explained, read_choice, read_count
 
 
@@ -43,7 +44,7 @@ def dem_parameters() -> list[QgsProcessingParameterDefinition]:
 def read_dem(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> tuple[Dem, QgsRasterLayer]:
-    """Return the DEM and its layer.
+    """Return the DEM, with the transformation of the project, and its layer.
 
     Raises
     ------
@@ -61,7 +62,7 @@ def read_dem(
         override,
         read_choice(algorithm, parameters, "HEIGHT_UNIT", context),
     )
-    return dem, layer
+    return with_transformation(dem, crs, context), layer
 
 
 def raster_layer(

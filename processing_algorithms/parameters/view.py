@@ -17,6 +17,7 @@ from ...muysc_qgis.errors import MuyscError
 from ...muysc_qgis.radiography.aperture import Aperture
 from ...muysc_qgis.topography.dem import Dem
 from ...muysc_qgis.topography.sight import Sight, take_sight
+from .transformation import passage
 from .values import explained, given, number, read_count, read_number
 
 #: A point without a coordinate reference system, as a script writes it.
@@ -77,8 +78,8 @@ def read_sight(
         If a point is missing or cannot be used.
     """
     read = (algorithm, parameters)
-    detector, detector_notes = read_point(*read, "DETECTOR", context, layer)
-    target, target_notes = read_point(*read, "TARGET", context, layer)
+    detector, detector_notes = read_point(*read, "DETECTOR", context, dem, layer)
+    target, target_notes = read_point(*read, "TARGET", context, dem, layer)
     return (
         take_sight(
             dem,
@@ -96,6 +97,7 @@ def read_point(
     parameters: dict[str, Any],
     name: str,
     context: QgsProcessingContext,
+    dem: Dem,
     layer: QgsRasterLayer,
 ) -> tuple[tuple[float, float], list[str]]:
     """Return a point in the CRS of the DEM's layer, and what had to be assumed for it.
@@ -103,7 +105,7 @@ def read_point(
     Raises
     ------
     MuyscError
-        If the point is missing or none.
+        If the point is missing or none, or has no place in that CRS.
     """
     if not given(parameters, name):
         raise MuyscError(f"{name} is missing; give a point, as text x,y [EPSG:code], on the DEM.")
@@ -111,13 +113,22 @@ def read_point(
     is_text = isinstance(value, str)
     if is_text and not re.match(r"^\s*[-+.\deE]+\s*,\s*[-+.\deE]+", value):
         raise MuyscError(f"{name} is “{value}”, which is not a point; write x,y [EPSG:code].")
-    point = algorithm.parameterAsPoint(parameters, name, context, layer.crs())
+    point = algorithm.parameterAsPoint(parameters, name, context)
+    # That of the project where the point names none, and invalid where there is no project.
+    crs = algorithm.parameterAsPointCrs(parameters, name, context)
+    crs = crs if crs.isValid() else layer.crs()
     notes = []
     if is_text and _BARE_POINT.match(value):
-        project = context.project()
-        crs = project.crs() if project and project.crs().isValid() else layer.crs()
         notes.append(f"{name} names no coordinate reference system; {crs.authid()} was assumed.")
-    return (point.x(), point.y()), notes
+    way = passage(name, crs, dem, layer.crs(), context)
+    place = way.to_dem(point.x(), point.y())
+    if place is None:
+        raise MuyscError(
+            f"{name} ({point.x():.10g}, {point.y():.10g}) cannot be transformed from "
+            f"{crs.authid() or crs.description()} to that of the DEM; check that its coordinates "
+            "are of that system."
+        )
+    return place, [*notes, *way.notes]
 
 
 def aperture_parameters() -> list[QgsProcessingParameterDefinition]:

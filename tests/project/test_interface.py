@@ -31,6 +31,8 @@ MUOGRAM = f"""
     BORESIGHT_ELEVATION TARGET_LON TARGET_LAT TARGET_ELEVATION TARGET_DISTANCE DEM DEM_CRS
     NEAR_FIELD MATERIAL DENSITY FLUX_MODEL GAISSER_PARAMETERS ENERGY_LOSS STRAGGLING
     ALTITUDE_CORRECTION DETECTION_THRESHOLD ACCEPTANCE MUONS"""
+#: What it says besides where the terrain is not on WGS 84.
+OTHER_DATUM = "TRANSFORMATION TRANSFORMATION_ACCURACY"
 TELESCOPE_ANGLES = f"""
     {ANY_RASTER} PROJECTION AXIS_X AXIS_Y TELESCOPE BARS_X BARS_Y PIXEL_SIZE SEPARATION PLANES
     TANGENT_STEP FORMULA"""
@@ -251,6 +253,14 @@ def test_no_key_of_a_muogram_is_gone(data_folder, tmp_path):
     for name, muogram in simulation.muograms.items():
         write_muogram(muogram, tmp_path / f"{name}.tif")
         assert keys_of(tmp_path / f"{name}.tif") == set(MUOGRAM.split()), name
+
+
+def test_no_key_of_a_muogram_on_another_datum_is_gone(data_folder, tmp_path):
+    dem = open_dem(data_folder / "st_helens_usgs.tif")
+    sight = take_sight(dem, (561_816.0, 5_114_156.0), (562_260.0, 5_115_390.0))
+    simulation = simulate(sight, Aperture(20.0, 10.0, 2, 2), Physics(), Telescope(6.0))
+    write_muogram(simulation.muograms["flux"], tmp_path / "flux.tif")
+    assert keys_of(tmp_path / "flux.tif") == {*MUOGRAM.split(), *OTHER_DATUM.split()}
 
 
 def test_no_key_of_a_raster_in_telescope_angles_is_gone(tmp_path):

@@ -10,10 +10,11 @@ import numpy as np
 from ...tomography.solvers import METHODS
 from ...topography.dem import Dem
 from ...topography.relief import Relief, relief_on_map
+from ...workflows.provenance import describe_transformation
 from ...workflows.reconstruction_test import KnownModelResult
 from ...workflows.tomography_result import Tomography
 from ...workflows.view_errors import paper_errors
-from ..provenance import Provenance
+from ..provenance import Provenance, transformation_rows
 from ..report import PixelCount, Report, ReportFigure, Row
 from ..style import DPI, REPORT_DPI, png_bytes
 from .convergence import convergence_figure
@@ -206,7 +207,7 @@ def _report(
         subtitle=f"{METHODS[tomography.method].title} from {len(tomography.stations)} stations on "
         f"the elevation model {dem.name}",
         figures=drawn,
-        results=rows,
+        results=[*rows, *transformation_rows(describe_transformation(dem))],
         pixels=pixels,
         pixel_total=tomography.rays + sum(lost.values()),
         warnings=[*warnings, *tomography.warnings],
