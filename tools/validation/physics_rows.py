@@ -26,8 +26,13 @@ from .row import Row
 
 #: g/cm² in a metre of standard rock.
 ROCK = 265.0
-#: The choices of the MUYSC paper.
-PAPER = Physics(flux_model="reyna-bugaev", straggling=False)
+#: The choices of the MUYSC paper, all of them, so that no default is one. Its recipe for the
+#: minimum energy has no answer behind more than 613 m; ranges stand in its place.
+PAPER = Physics(
+    material="standard_rock", density_g_cm3=2.65, flux_model="reyna-bugaev",
+    gaisser_parameters="gaisser", energy_loss="csda", straggling=False,
+    altitude_correction=True, detection_threshold_gev=0.0,
+)  # fmt: skip
 
 _APART = "worked out independently of this code from the formula of "
 _PER_GEV = "cm⁻² s⁻¹ sr⁻¹ GeV⁻¹"
