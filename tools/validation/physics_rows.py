@@ -55,8 +55,8 @@ def _spectra() -> Iterator[Row]:
     section = "Spectra at sea level"
     one = np.array(1.0)
     models = (
-        ("Gaisser–Tang, vertical", "GeV", lambda e: gaisser_tang(e, one), _PER_GEV,
-         "Tang et al. (2006), misprints mended",
+        ("Gaisser (MUSIC/MUSUN), vertical", "GeV", lambda e: gaisser_tang(e, one), _PER_GEV,
+         "Kudryavtsev (2009)",
          ((1, 2.621e-3), (3, 1.112e-3), (10, 1.362e-4), (100, 2.874e-7), (1000, 1.304e-10))),
         ("Bugaev, vertical", "GeV/c", bugaev, _PER_MOMENTUM, "Bugaev et al. (1998)",
          ((10, 1.340e-4), (100, 2.892e-7), (1000, 1.386e-10))),
