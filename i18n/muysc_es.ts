@@ -3194,8 +3194,8 @@ Píxeles desconocidos {unknown} de {pixels}</translation>
       <translation>Gaisser</translation>
     </message>
     <message>
-      <source>Gaisser–Tang</source>
-      <translation>Gaisser–Tang</translation>
+      <source>Gaisser (MUSIC/MUSUN)</source>
+      <translation>Gaisser (MUSIC/MUSUN)</translation>
     </message>
     <message>
       <source>Bugaev</source>

@@ -12,12 +12,9 @@ from .constants import MUON_MASS_GEV
 from .gaisser import GAISSER_PARAMETERS
 from .muon_sky import muon_sky
 from .settings import Physics
-from .spectra import MODELS
+from .spectra import AGREED_WITHIN, MODELS
 from .transmission import attenuate
 from .validity import OPEN_SKY_SLACK
-
-#: Relative error of a flux formula within its range, to which the ranges are chosen.
-FORMULA_ERROR = 0.15
 
 #: Rays whose median stands for all.
 _ENOUGH = 10_000
@@ -90,7 +87,7 @@ def flux_error(
     """Return the relative standard error of the muon flux above an energy.
 
     That of a tabulated model at this energy, where most of the muons counted are. A formula
-    has none of its own; it gets `FORMULA_ERROR`, to which its range is chosen.
+    has none of its own; it gets `AGREED_WITHIN`, to which its range is chosen.
 
     Parameters
     ----------
@@ -110,7 +107,7 @@ def flux_error(
     """
     energy, cosine = np.broadcast_arrays(minimum_energy_gev, cos_zenith)
     if not MODELS[physics.flux_model].tabulated:
-        error: np.ndarray = np.full(energy.shape, FORMULA_ERROR)
+        error: np.ndarray = np.full(energy.shape, AGREED_WITHIN)
     else:
         start = np.fmax(energy, physics.open_sky_start_gev)
         error = muon_sky().relative_error(start, cosine, altitude_m)

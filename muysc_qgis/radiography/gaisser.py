@@ -1,4 +1,4 @@
-"""Muon spectra built on Gaisser's formula: plain, Tang's extension, Guan's extension.
+"""Muon spectra built on Gaisser's formula: plain, as in MUSIC and MUSUN, and Guan's.
 
 All three give dI/dE in cm⁻² s⁻¹ sr⁻¹ GeV⁻¹ at sea level as a function of the
 *total* muon energy in GeV and the cosine of the zenith angle; both broadcast.
@@ -54,7 +54,7 @@ GAISSER_PARAMETERS = {
     ),
 }
 
-#: Share of prompt muons, rc, added to the bracket of the Tang form.
+#: Share of prompt muons, rc, added to the bracket of the modified form.
 PROMPT_SHARE = 1e-4
 
 #: Energy loss in the atmosphere, GeV per g/cm².
@@ -122,13 +122,17 @@ def gaisser_tang(
     cos_zenith: np.ndarray,
     parameters: GaisserParameters = GAISSER_PARAMETERS["gaisser"],
 ) -> np.ndarray:
-    """Return Gaisser's spectrum extended to low energies and to the horizon.
+    """Return Gaisser's spectrum as MUSIC and MUSUN modify it for low energies and the horizon.
 
     dI/dE = A_T Ê^-γ [1/(1 + Ê cosθ*/Eπ) + B/(1 + Ê cosθ*/EK) + rc], where
     Ê = E + ΔE is the energy at production, ΔE = 0.00206 (1030/cosθ* − 120) GeV
     the loss in the air, and A_T = A (120 cosθ*/1030)^{1.04/[(E + ΔE/2) cosθ*]}
-    the share that does not decay on the way (Tang et al. 2006,
-    doi:10.1103/PhysRevD.74.053007, as used at all energies by MUSIC and MUSUN).
+    the share that does not decay on the way (Kudryavtsev 2009,
+    doi:10.1016/j.cpc.2008.10.013, after Dar 1983, doi:10.1103/PhysRevLett.51.227).
+
+    Tang et al. (2006, doi:10.1103/PhysRevD.74.053007), whose name the model has in the
+    interface, print another one: A_T = 1.1 (90 √(cosθ + 0.001)/1030)^{4.5/(E cosθ*)} and
+    ΔE = 2.06·10⁻³ (950/cosθ* − 90), which is farther from measured spectra.
 
     Parameters and result are those of `gaisser`.
     """

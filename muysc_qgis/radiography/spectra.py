@@ -19,10 +19,33 @@ from .gaisser import (
 )
 from .reyna import BUGAEV_BREAKS_GEV, bugaev, reyna_bugaev, reyna_hebbeker
 
+#: How close to measured spectra a formula stays within its `agreement`.
+AGREED_WITHIN = 0.15
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """Where a formula stays within `AGREED_WITHIN` of measured muons, as far as a zenith angle.
+
+    Found by ``python -m tools.validation.formula_ranges``: BESS-TeV and L3+C overhead, carried
+    to other angles by calculations, because inclined measurements differ by more than that.
+    """
+
+    #: Zenith angle in degrees up to which the energies count, from that of the one before.
+    zenith_deg: float
+    #: Energies in GeV from which muons may be counted: all above one of these agree.
+    lower_gev: float
+    upper_gev: float
+
 
 @dataclass(frozen=True)
 class SpectrumModel:
-    """A parametrised spectrum, what it was made for and where it comes from."""
+    """A parametrised spectrum, what it was made for and where it comes from.
+
+    Two ranges stand side by side. That of its publication (`energy_range_gev`,
+    `maximum_zenith_deg`) chooses the models of an envelope; that in which it agrees with
+    measurements (`agreed_range_gev`, `agreed_zenith_deg`) is what warnings are about.
+    """
 
     name: str
     title: str
@@ -30,13 +53,13 @@ class SpectrumModel:
     #: dI/dE in cm⁻² s⁻¹ sr⁻¹ GeV⁻¹ of total energy (GeV), momentum (GeV/c), cosine of
     #: the zenith angle and Gaisser's constants; models that need fewer ignore the rest.
     evaluate: Callable[[np.ndarray, np.ndarray, np.ndarray, GaisserParameters], np.ndarray]
-    #: Range of total energy in GeV that the model was made for …
+    #: Range of total energy in GeV that its publication gives the model …
     lower_gev: float
     upper_gev: float
     #: … and whether these limits are to be divided by the cosine of the zenith angle.
     lower_per_cosine: bool
     upper_per_cosine: bool
-    #: Largest zenith angle in degrees that the model was made for.
+    #: Largest zenith angle in degrees that its publication gives the model.
     maximum_zenith_deg: float
     #: Whether the constants of Gaisser's formula can be chosen.
     takes_parameters: bool = False
@@ -48,11 +71,47 @@ class SpectrumModel:
     #: Whether it is a table of measured accuracy over altitude, angle and energy, with an
     #: error of its own, instead of a formula for sea level.
     tabulated: bool = False
+    #: Where it agrees with measurements, by rising zenith angle; empty for a model that
+    #: does so wherever it was made for.
+    agreement: tuple[Agreement, ...] = ()
+
+    @property
+    def agreed_zenith_deg(self) -> float:
+        """Largest zenith angle in degrees at which the model agrees with measurements."""
+        return self.agreement[-1].zenith_deg if self.agreement else self.maximum_zenith_deg
+
+    def agreed_range_gev(
+        self, cos_zenith: np.ndarray, parameters: GaisserParameters
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return from which and up to which energy, GeV, the model agrees with measurements.
+
+        Beyond `agreed_zenith_deg` it does nowhere; what is returned there is that at it.
+
+        Parameters
+        ----------
+        cos_zenith
+            Cosine of the zenith angle, any shape, above 0.
+        parameters
+            Constants of Gaisser's formula. The ranges were found with those of Gaisser;
+            others do not hold below or above what they were fitted to either.
+        """
+        if not self.agreement:
+            return self.energy_range_gev(cos_zenith, parameters)
+        ends = np.array([part.zenith_deg for part in self.agreement[:-1]])
+        cosine = np.asarray(cos_zenith, dtype=float)
+        part = np.sum(cosine[..., None] < np.cos(np.radians(ends + 1e-9)), axis=-1)
+        lower = np.array([each.lower_gev for each in self.agreement])[part]
+        upper = np.array([each.upper_gev for each in self.agreement])[part]
+        if self.takes_parameters:
+            if parameters.fitted_from_gev > GAISSER_PARAMETERS["gaisser"].fitted_from_gev:
+                lower = np.maximum(lower, parameters.fitted_from_gev)
+            upper = np.minimum(upper, parameters.fitted_to_gev)
+        return lower, upper
 
     def energy_range_gev(
         self, cos_zenith: np.ndarray, parameters: GaisserParameters
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return the lowest and the highest total energy, GeV, in the model's range.
+        """Return the lowest and the highest total energy, GeV, of the model's publication.
 
         Parameters
         ----------
@@ -64,7 +123,7 @@ class SpectrumModel:
         lower, upper = self.lower_gev, self.upper_gev
         if self.takes_parameters:
             upper = parameters.fitted_to_gev
-            # The low-energy extension of the Tang form belongs to constants that
+            # The low-energy extension of the modified form belongs to constants that
             # hold from 100 GeV; sets fitted higher up do not hold below their fit.
             if parameters.fitted_from_gev > GAISSER_PARAMETERS["gaisser"].fitted_from_gev:
                 lower = max(lower, parameters.fitted_from_gev)
@@ -99,14 +158,20 @@ MODELS = {
             upper_per_cosine=False,
             maximum_zenith_deg=70.0,
             takes_parameters=True,
+            agreement=(
+                Agreement(30.0, 150.0, 1e5),
+                Agreement(60.0, 200.0, 1e5),
+                Agreement(70.0, 350.0, 1e5),
+            ),
         ),
         SpectrumModel(
             "gaisser-tang",
-            "Gaisser–Tang",
-            "Tang et al. (2006), doi:10.1103/PhysRevD.74.053007",
+            "Gaisser (MUSIC/MUSUN)",
+            "Kudryavtsev (2009), doi:10.1016/j.cpc.2008.10.013, after Dar (1983), "
+            "doi:10.1103/PhysRevLett.51.227",
             lambda energy, momentum, cosine, parameters: gaisser_tang(energy, cosine, parameters),
-            # Below 1 GeV/cosθ* Tang et al. change the formula once more; the form
-            # used here runs on and is then too high near the horizon.
+            # Below 1 GeV/cosθ* Tang et al. (2006) change the formula once more; this one runs
+            # on. The name is the first that it had here, and is kept for projects.
             lower_gev=1.0,
             upper_gev=1e5,
             lower_per_cosine=True,
@@ -115,6 +180,13 @@ MODELS = {
             takes_parameters=True,
             limiting_cosine=cos_zenith_at_production,
             limiting_cosine_sign="cosθ*",
+            agreement=(
+                Agreement(30.0, 50.0, 1e5),
+                Agreement(60.0, 70.0, 1e5),
+                Agreement(75.0, 130.0, 1e5),
+                Agreement(80.0, 200.0, 1e5),
+                Agreement(85.0, 450.0, 1e5),
+            ),
         ),
         SpectrumModel(
             "bugaev",
@@ -130,6 +202,7 @@ MODELS = {
             # A spectrum of vertical muons; cos²θ falls by 3 % over 10°.
             maximum_zenith_deg=10.0,
             breaks_gev=BUGAEV_BREAKS_GEV,
+            agreement=(Agreement(10.0, 50.0, np.inf),),
         ),
         SpectrumModel(
             "reyna-bugaev",
@@ -143,6 +216,13 @@ MODELS = {
             lower_per_cosine=False,
             upper_per_cosine=True,
             maximum_zenith_deg=90.0,
+            agreement=(
+                Agreement(30.0, 1.0, 100.0),
+                Agreement(60.0, 6.0, 100.0),
+                Agreement(75.0, 8.0, 50.0),
+                Agreement(80.0, 8.0, 40.0),
+                Agreement(85.0, 8.0, 25.0),
+            ),
         ),
         SpectrumModel(
             "reyna-hebbeker",
@@ -157,6 +237,13 @@ MODELS = {
             lower_per_cosine=True,
             upper_per_cosine=True,
             maximum_zenith_deg=90.0,
+            agreement=(
+                Agreement(30.0, 5.0, 500.0),
+                Agreement(60.0, 5.0, 50.0),
+                Agreement(75.0, 9.0, 30.0),
+                Agreement(80.0, 10.0, 30.0),
+                Agreement(85.0, 10.0, 25.0),
+            ),
         ),
         SpectrumModel(
             "guan",
@@ -168,6 +255,7 @@ MODELS = {
             lower_per_cosine=False,
             upper_per_cosine=False,
             maximum_zenith_deg=90.0,
+            agreement=(Agreement(80.0, 1.0, 1e5), Agreement(85.0, 70.0, 1e5)),
         ),
         SpectrumModel(
             DEFAULT_MODEL,

@@ -112,7 +112,7 @@ def test_the_heading_tells_place_target_model_and_density(mountain):
         "604 m",
         "1883 m",
         "39.0°",
-        "Gaisser–Tang",
+        "Gaisser (MUSIC/MUSUN)",
         "CSDA",
         "2.65 g/cm³",
     ):

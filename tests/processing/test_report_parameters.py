@@ -46,7 +46,7 @@ def test_parameters_have_names_units_and_what_stands_for_nothing(tables):
     assert told["Maximum range"] == ["as far as the DEM", ""]
     assert told["Density"] == ["the material's own", ""]
     assert told["Material"] == ["Standard rock", ""]
-    assert told["Muon flux model"] == ["Gaisser–Tang", ""]
+    assert told["Muon flux model"] == ["Gaisser (MUSIC/MUSUN)", ""]
     assert told["Parameters of the Gaisser formula"] == ["Gaisser 1990", ""]
     assert told["Energy loss"] == ["Range table (csda)", ""]
     assert told["Correct for straggling"] == ["no", ""]

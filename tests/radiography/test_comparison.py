@@ -118,7 +118,7 @@ def test_without_an_answer_the_minimum_energy_is_unknown_and_said():
 
 
 def test_equal_warnings_are_one_sentence_that_names_the_angles(comparison):
-    texts = [text for text in comparison.warnings if "than the 10° that" in text]
+    texts = [text for text in comparison.warnings if "than the 10° up to" in text]
     assert len(texts) == 1
     assert texts[0].startswith("Bugaev at 75°: ")
     quiet = compare(["guan"], [0.0, 60.0], 100.0, Physics())

@@ -18,7 +18,7 @@ from muysc_qgis.radiography.transmission import attenuate
 mulder = pytest.importorskip("mulder")
 
 ROOT = Path(__file__).resolve().parents[2]
-INCLINED = Path(__file__).parent / "data" / "kiel_desy_75deg.csv"
+INCLINED = ROOT / "tests" / "data" / "muon_spectra_inclined.csv"
 
 
 def predicted(spectra):

@@ -236,37 +236,43 @@ def test_useless_input_is_refused(opacity, elevation, altitude, words):
         attenuate(np.array(opacity), np.array(elevation), Physics(), altitude)
 
 
+#: A detector that counts no muons below 20 GeV.
+THRESHOLD = {"detection_threshold_gev": 20.0}
+
+
 def warned(opacity, elevation, physics, altitude=0.0):
-    return " ".join(attenuate(np.array(opacity), elevation, physics, altitude).warnings)
+    return " ".join(attenuate(np.array(opacity), np.array(elevation), physics, altitude).warnings)
 
 
 def test_good_settings_warn_of_nothing():
     assert warned([0.0, 1e4, 2e5], 20.0, Physics(flux_model="guan")) == ""
-    assert warned([0.0, 1e4, 2e5], 40.0, Physics()) == ""
+    assert warned([3e4, 2e5], 40.0, Physics(flux_model="gaisser-tang", **THRESHOLD)) == ""
 
 
 def test_rays_outside_a_spectrum_are_counted():
     gaisser = Physics(flux_model="gaisser")
     text = warned([0.0, 1e4, 2e4, 3e5], 30.0, gaisser)
-    assert "2 rays: the minimum energy is below the 100 GeV/cosθ" in text
+    assert "2 rays: the minimum energy is below the 150 GeV (up to 30°; 350 GeV at 70°)" in text
+    assert "stays within 15 % of measurements" in text
     assert "4 rays: the open sky starts far below" in text
     assert "1 ray: farther from the zenith than the 70°" in warned([3e5], 15.0, gaisser)
     bugaev = Physics(flux_model="bugaev")
     assert "farther from the zenith than the 10°" in warned([1e5], 45.0, bugaev)
-    assert warned([1e5], 85.0, bugaev) == ""
+    assert warned([1e5], 85.0, Physics(flux_model="bugaev", **THRESHOLD)) == ""
     reyna = Physics(flux_model="reyna-bugaev")
-    assert "1 ray: the minimum energy is above the 2000 GeV/cosθ" in warned([1e4, 5e5], 80.0, reyna)
+    text = warned([1e4, 5e4], 80.0, reyna)
+    assert "1 ray: the minimum energy is above the 100 GeV (up to 30°; 25 GeV at 85°)" in text
     klimushin = Physics(flux_model="gaisser-tang", gaisser_parameters="klimushin")
     assert "1 ray: the minimum energy is below the 300 GeV" in warned([1e4, 3e5], 45.0, klimushin)
+    guan = Physics(flux_model="guan")
+    assert "farther from the zenith than the 85°" in warned([1e5], 4.0, guan)
+    assert "below the 1 GeV (up to 80°; 70 GeV at 85°)" in warned([1e4], 7.0, guan)
 
 
 def test_rough_open_sky_near_the_horizon_is_named():
-    assert "open sky and transmission are rough" in warned(
-        [1e4], 5.0, Physics(flux_model="gaisser-tang")
-    )
-    assert (
-        warned([1e4], 5.0, Physics(flux_model="gaisser-tang", detection_threshold_gev=10.0)) == ""
-    )
+    guan = Physics(flux_model="guan")
+    assert "open sky and transmission are rough" in warned([1e5], 6.0, guan)
+    assert warned([1e5], 6.0, Physics(flux_model="guan", **THRESHOLD)) == ""
 
 
 def test_altitude_outside_its_range_is_named():
@@ -274,6 +280,9 @@ def test_altitude_outside_its_range_is_named():
     assert "below the 10 GeV/c" in warned([1e3], 30.0, guan, 500.0)
     assert "up to 1000 m" not in warned([1e3], 30.0, guan, 500.0)
     assert "up to 1000 m and the detector is at 2500 m" in warned([3e5], 30.0, guan, 2500.0)
+    text = warned([3e5, 3e5], [30.0, 29.0], guan, 2500.0)
+    assert "1 ray: farther from the zenith than the 60° up to which the altitude" in text
+    assert "altitude" not in warned([3e5], 20.0, guan)
     off = Physics(flux_model="guan", altitude_correction=False)
     assert warned([1e3], 30.0, off, 2500.0) == ""
 

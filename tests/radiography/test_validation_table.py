@@ -96,6 +96,7 @@ def row(ours=1.0, reference=2.0, **more):
         (row(4.1), 1.05, "2.05 times"),
         (row(0.5), -0.75, "0.25 times"),
         (row(1.0, None), math.nan, "–"),
+        (row(None), math.nan, "–"),
     ],
 )
 def test_differences(one, difference, text):
@@ -131,6 +132,15 @@ def test_the_table_goes_between_its_marks_and_stays_there():
     assert "old" not in once
     assert table.with_table(once, table.markdown([row()])) == once
     assert table.line(row()) in table.lines_between_marks(once)
+
+
+def test_the_figures_of_the_paper_are_shown_and_not_required(rows):
+    stated = [row for row in rows if row.source.startswith("MUYSC paper (arXiv:2303.02627), text")]
+    assert len(stated) > 40
+    assert all(row.tolerance is None for row in stated)
+    elsewhere = [row for row in stated if row.ours is None]
+    assert {row.what.split(",")[0] for row in elsewhere} == {"Mount Etna", "Puy de Dôme"}
+    assert all(row.cells()[1] == "–" and row.agrees for row in elsewhere)
 
 
 def test_numbers_stand_in_full_in_the_csv():

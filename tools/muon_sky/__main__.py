@@ -37,8 +37,11 @@ def main(folder: Path) -> None:
     print("\n".join(notes))
     table = DATA / "muon_sky.csv"
     write_table(table, cascades, fitted, notes)
-    worst = interpolation_error(table, cascades, fitted)
-    print(f"Largest error halfway between nodes: {100 * worst:.2f} %.")
+    worst, (altitude, zenith, energy) = interpolation_error(table, cascades, fitted)
+    print(
+        f"Largest error halfway between nodes: {100 * worst:.2f} %, at {altitude:g} m, "
+        f"{zenith:.4g}° and {energy:.3g} GeV."
+    )
 
 
 def _notes(spectra: Spectra, fitted: Fit, parts: np.ndarray) -> list[str]:

@@ -22,7 +22,7 @@ from .yields import AIR_MASS_NUMBER, MB_G_CM2, PROJECTILES
 
 NUCLEONS, MESONS = (0, 1), (2, 3, 4, 5)
 #: Projectile energies in GeV of the amplitudes of pion production; tents in the logarithm.
-PION_TENTS_GEV = (4.0, 40.0, 400.0, 6000.0)
+PION_TENTS_GEV = (4.0, 15.0, 60.0, 400.0, 6000.0)
 #: What each amplitude scales.
 AMPLITUDES = (*(f"pions at {energy:g} GeV" for energy in PION_TENTS_GEV), "kaons")
 

@@ -18,8 +18,8 @@ from .fit import Fit
 #: Nodes of the table.
 ALTITUDES_M = np.array([0.0, 600.0, 1250.0, 1900.0, 2600.0, 3300.0, 4100.0, 5000.0, 6000.0])
 ZENITH_DEG = np.array(
-    [0, 20, 32, 42, 50, 57, 63, 68, 72, 75.5, 78.5, 81, 83, 84.5, 85.7, 86.7, 87.5, 88.1, 88.6,
-     89.0, 89.3, 89.5]
+    [0, 22, 35, 45, 53, 60, 66, 71, 75, 78.2, 80.7, 82.7, 84.3, 85.5, 86.5, 87.3, 87.9, 88.4, 88.8,
+     89.1, 89.32, 89.5]
 )  # fmt: skip
 ENERGIES_GEV = np.concatenate(
     [np.geomspace(0.25, 30, 20, endpoint=False), np.geomspace(30, 1e6, 20)]
@@ -83,8 +83,10 @@ def write_table(path: Path, cascades: Cascades, fitted: Fit, notes: list[str]) -
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def interpolation_error(path: Path, cascades: Cascades, fitted: Fit) -> float:
-    """Return the largest relative error of a table halfway between its nodes.
+def interpolation_error(path: Path, cascades: Cascades, fitted: Fit) -> tuple[float, tuple[float, ...]]:
+    """Return the largest relative error of a table halfway between its nodes, and where it is.
+
+    The place is altitude in m, zenith angle in degrees and kinetic energy in GeV.
 
     Parameters
     ----------
@@ -93,15 +95,17 @@ def interpolation_error(path: Path, cascades: Cascades, fitted: Fit) -> float:
     cascades, fitted
         What it was made of.
     """
-    sky, worst = read_muon_sky(path), 0.0
+    sky, worst, place = read_muon_sky(path), 0.0, ()
     energy = np.sqrt(ENERGIES_GEV[:-1] * ENERGIES_GEV[1:])
     for altitude in (ALTITUDES_M[:-1] + ALTITUDES_M[1:]) / 2:
         for zenith in (ZENITH_DEG[:-1] + ZENITH_DEG[1:]) / 2:
             cosine = float(np.cos(np.radians(zenith)))
             exact = fitted.flux(cascades.muons(float(altitude), cosine, energy))
             off = sky.flux(energy, np.array(cosine), float(altitude)) / exact - 1.0
-            worst = max(worst, float(np.abs(off).max()))
-    return worst
+            if np.abs(off).max() > worst:
+                worst = float(np.abs(off).max())
+                place = (float(altitude), zenith, float(energy[np.abs(off).argmax()]))
+    return worst, place
 
 
 def _made() -> str:

@@ -179,8 +179,7 @@ def make_yields(path: Path, processes: int = 2) -> None:
                 print(
                     f"{done} of {len(tasks)} energies, {time.monotonic() - start:.0f} s", flush=True
                 )
-    for row in section:
-        known = np.flatnonzero(np.isfinite(row))
-        row[: known[0]] = row[known[0]]
+    low = NODES_GEV < JOIN_GEV
+    section[:, low] = section[:, np.count_nonzero(low), None]
     np.savez_compressed(path, section=section, yields=secondaries)
     begun.unlink(missing_ok=True)

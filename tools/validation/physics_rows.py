@@ -26,8 +26,13 @@ from .row import Row
 
 #: g/cm² in a metre of standard rock.
 ROCK = 265.0
-#: The choices of the MUYSC paper.
-PAPER = Physics(flux_model="reyna-bugaev", straggling=False)
+#: The choices of the MUYSC paper, all of them, so that no default is one. Its recipe for the
+#: minimum energy has no answer behind more than 613 m; ranges stand in its place.
+PAPER = Physics(
+    material="standard_rock", density_g_cm3=2.65, flux_model="reyna-bugaev",
+    gaisser_parameters="gaisser", energy_loss="csda", straggling=False,
+    altitude_correction=True, detection_threshold_gev=0.0,
+)  # fmt: skip
 
 _APART = "worked out independently of this code from the formula of "
 _PER_GEV = "cm⁻² s⁻¹ sr⁻¹ GeV⁻¹"
@@ -50,8 +55,8 @@ def _spectra() -> Iterator[Row]:
     section = "Spectra at sea level"
     one = np.array(1.0)
     models = (
-        ("Gaisser–Tang, vertical", "GeV", lambda e: gaisser_tang(e, one), _PER_GEV,
-         "Tang et al. (2006), misprints mended",
+        ("Gaisser (MUSIC/MUSUN), vertical", "GeV", lambda e: gaisser_tang(e, one), _PER_GEV,
+         "Kudryavtsev (2009)",
          ((1, 2.621e-3), (3, 1.112e-3), (10, 1.362e-4), (100, 2.874e-7), (1000, 1.304e-10))),
         ("Bugaev, vertical", "GeV/c", bugaev, _PER_MOMENTUM, "Bugaev et al. (1998)",
          ((10, 1.340e-4), (100, 2.892e-7), (1000, 1.386e-10))),

@@ -60,7 +60,7 @@ def _muograms(station: Station) -> Figure:
 
 def differences(rows: Sequence[Row]) -> Figure:
     """Draw every difference with the tolerance it must keep."""
-    compared = [row for row in rows if row.reference is not None]
+    compared = [row for row in rows if not np.isnan(row.difference)]
     sections = list(dict.fromkeys(row.section for row in compared))
     height = 1.25 + _ROW_IN * (len(compared) + len(sections))
     figure = style.new_figure(style.WIDTH_IN, height)

@@ -12,7 +12,8 @@ class Row:
 
     section: str
     what: str
-    ours: float
+    #: None where it cannot be computed, as on terrain that does not come with the project.
+    ours: float | None
     unit: str
     #: None where nothing is printed to compare with.
     reference: float | None
@@ -28,8 +29,8 @@ class Row:
 
     @property
     def difference(self) -> float:
-        """Relative difference, 0 inside an interval, NaN without a reference."""
-        if self.reference is None:
+        """Relative difference, 0 inside an interval, NaN with only one of the two numbers."""
+        if self.reference is None or self.ours is None:
             return math.nan
         low, high = sorted((self.reference, self.reference_to or self.reference))
         first, last = sorted((self.ours, self.ours if self.ours_to is None else self.ours_to))
@@ -51,13 +52,10 @@ class Row:
     def cells(self) -> tuple[str, str, str, str, str]:
         """Return what, ours, reference, difference and source as text."""
         unit = "" if self.unit == "1" else f" {self.unit}"
-        reference = "–"
-        if self.reference is not None:
-            reference = _span(self.reference, self.reference_to) + unit
         return (
             self.what,
-            _span(self.ours, self.ours_to) + unit,
-            reference,
+            _span(self.ours, self.ours_to, unit),
+            _span(self.reference, self.reference_to, unit),
             self._difference_text(),
             self.source,
         )
@@ -73,8 +71,10 @@ class Row:
         return f"{round(100 * self.difference, 1) + 0.0:+.1f} %".replace("-", "−")
 
 
-def _span(first: float, last: float | None) -> str:
-    return number(first) if last is None else f"{number(first)} to {number(last)}"
+def _span(first: float | None, last: float | None, unit: str) -> str:
+    if first is None:
+        return "–"
+    return (number(first) if last is None else f"{number(first)} to {number(last)}") + unit
 
 
 def number(value: float) -> str:

@@ -7,7 +7,14 @@ import io
 from collections.abc import Iterable
 from pathlib import Path
 
-from . import mulder_rows, physics_rows, shape_rows, terrain_rows
+from . import (
+    formula_ranges,
+    mulder_rows,
+    paper_rows,
+    physics_rows,
+    shape_rows,
+    terrain_rows,
+)
 from .row import Row
 
 DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "physics.md"
@@ -23,7 +30,8 @@ def all_rows() -> list[Row]:
 
 def own_rows() -> list[Row]:
     """Compute every row that needs no other code."""
-    return [*shape_rows.rows(), *terrain_rows.rows(), *physics_rows.rows()]
+    modules = (shape_rows, terrain_rows, paper_rows, formula_ranges, physics_rows)
+    return [row for module in modules for row in module.rows()]
 
 
 def line(row: Row) -> str:

@@ -16,11 +16,12 @@ from muysc_qgis.topography.sight import Sight, take_sight
 from muysc_qgis.topography.tracing import trace_terrain
 
 from . import first_muysc
+from .physics_rows import PAPER
 from .row import Row
 
 DATA = Path(__file__).resolve().parents[2] / "tests" / "data"
 _CASES = "Cases of the MUYSC paper"
-_PAPER = "MUYSC paper (arXiv:2303.02627); loose, see the text"
+_PAPER = "MUYSC paper (arXiv:2303.02627), text; for its 90°"
 #: Acceptance (cm² sr) and muons of the exposures.
 ACCEPTANCE, MUONS = 6.0, 10.0
 
@@ -77,9 +78,10 @@ def _geometry() -> Iterator[Row]:
 def _stations() -> Iterator[Row]:
     """Yield thickness, flux, transmission and exposure at the paper's stations."""
     yield _stored_muogram()
-    yield from _station(P1, 84.0, (84.0,), 1300.0)
+    # The paper shows P1 as a picture; the figures it states for P4 are in `paper_rows`.
+    yield from _station(P1, 84.0, (84.0,), None)
     yield from _station(P4, 84.0, (84.0,), None)
-    # The zenith angle of the paper's maximum is not known here.
+    # The paper's zenith angle of 90° is none from the vertical; see `paper_rows`.
     yield from _station(VESUVIUS, 77.0, (76.0, 78.0), 1450.0)
 
 
@@ -112,7 +114,7 @@ def _station(
     yield Row(
         section, f"{station.name}, zenith {angles}: largest thickness within 20° of the target",
         float(largest[0]), "m", reference_m,
-        _PAPER if reference_m else "no number is public", 0.15,
+        _PAPER if reference_m else "the paper shows a picture", None,
         ours_to=float(largest[-1]) if len(looked_at) > 1 else None,
     )  # fmt: skip
     thickness = thickness_m(station, azimuth, np.array([zenith_deg]))[:, 0]
@@ -123,7 +125,7 @@ def _station(
     altitude = station.sight().detector_elevation_m
     first = first_muysc.first_muons(float(thickness[longest]), zenith_deg)
     for title, physics in (
-        ("as the paper chooses", Physics(flux_model="reyna-bugaev", straggling=False)),
+        ("as the paper chooses", PAPER),
         ("defaults", Physics()),
     ):
         muons = attenuate(
