@@ -91,6 +91,7 @@ QUANTITIES = {
         Quantity("path_length", "Path between the planes", "cm", "magma", False),
         Quantity("angular_resolution", "Angular resolution", "mrad", "cividis", False),
         Quantity("open_sky_counts", "Open-sky muon counts", "1", "magma", True),
+        Quantity("rock_share", "Share of the response behind rock", "1", "viridis", False),
         Quantity("relative_error", "Counting error", "%", "viridis", True),
         Quantity("density_resolution", "Smallest visible density contrast", "%", "viridis", True),
         Quantity("contrast_days", "Days to see the density contrast", "days", "plasma", True),

@@ -32,6 +32,7 @@ _HELP = {
     "distance": "Length of each ray from the detector to the first rock.",
     "counts": "Muons expected along each trajectory in the time given.",
     "open_sky_counts": "Muons that there would be without the rock.",
+    "rock_share": "Share of each trajectory's response that lies behind rock, 0 to 1.",
     "relative_error": "Standard error of the counts, in percent of them.",
     "density_resolution": "Smallest decrease of the mean density along the path that the counts "
     "show, in percent.",
