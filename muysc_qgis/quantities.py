@@ -80,6 +80,7 @@ QUANTITIES = {
         Quantity("density_lower", "Lower end of the mean density", "g/cm³", "cividis", False),
         Quantity("density_upper", "Upper end of the mean density", "g/cm³", "cividis", False),
         Quantity("density_flags", "Flags of the mean density", "1", "viridis", False),
+        Quantity("density_regions", "Regions of merged pixels", "1", "viridis", False),
         # Over the flux models that hold.
         Quantity("flux_minimum", "Smallest muon flux", "cm⁻² sr⁻¹ day⁻¹", "magma", True),
         Quantity("flux_maximum", "Largest muon flux", "cm⁻² sr⁻¹ day⁻¹", "magma", True),

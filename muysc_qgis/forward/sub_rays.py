@@ -12,7 +12,7 @@ from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.raytracing import Outcome
 from ..radiography.settings import Physics
 from ..radiography.transmission import Attenuation, attenuate
-from .nodes import NodeGrid, Nodes
+from .nodes import Nodes
 from .responses import Responses
 
 
@@ -56,34 +56,43 @@ class SubRays:
     below: np.ndarray
 
     @classmethod
-    def of(cls, grid: NodeGrid, nodes: Nodes, responses: Responses) -> SubRays:
-        """Return the sub-rays of elements from the nodes of a grid that covers them."""
-        azimuth, elevation = grid.azimuth_deg[nodes.column], grid.elevation_deg[nodes.row]
-        # The sky is as bright all over what a ray stands for, and all of it counts; rock is known
-        # in the middle alone.
-        extent = np.stack(
-            [np.full(len(nodes.rows), grid.step_deg[0]), grid.step_deg[1] * nodes.rows], 1
-        )
-        extent[nodes.thickness_m != 0] = 0.0
-        ray, element, response = responses.entries(azimuth, elevation, extent)
-        area = nodes.rows * np.cos(np.radians(elevation))
+    def of(cls, nodes: Nodes, responses: Responses) -> SubRays:
+        """Return the sub-rays of elements from nodes that cover all they see."""
+        count = int(np.prod(responses.shape))
+        area = nodes.width_deg * nodes.height_deg * np.cos(np.radians(nodes.elevation_deg))
+        extent = np.stack([nodes.width_deg, nodes.height_deg], axis=1)
+        rock = nodes.thickness_m != 0
+        # How much rock and how much sky an element sees is known from all that rays stand for …
+        ray, element, response = responses.entries(nodes.azimuth_deg, nodes.elevation_deg, extent)
         weight = response * area[ray]
+        behind = rock[ray]
+        shared = np.bincount(element[behind], weight[behind], count)
+        bright = ray[~behind], element[~behind], weight[~behind]
+        # … and the flux through rock in the middle of it alone.
+        (stone,) = np.nonzero(rock)
+        ray, element, response = responses.entries(
+            nodes.azimuth_deg[stone], nodes.elevation_deg[stone], np.zeros((len(stone), 2))
+        )
+        weight = response * area[stone[ray]]
+        total = np.bincount(element, weight, count)
+        weight *= (shared / np.where(total > 0, total, 1.0))[element]
+        ray, element, weight = (
+            np.concatenate(one) for one in zip((stone[ray], element, weight), bright)
+        )
         # Rays that nothing sees are left out.
-        seen = np.zeros(len(azimuth), dtype=bool)
+        seen = np.zeros(len(area), dtype=bool)
         seen[ray] = True
         place = np.cumsum(seen) - 1
         order = np.argsort(element, kind="stable")
         ray, element, weight = place[ray[order]], element[order], weight[order]
-        count = int(np.prod(responses.shape))
         total = np.bincount(element, weight, count)
-        block = nodes.row // max(1, int(nodes.rows.max(initial=1)))
         return cls(
             responses.shape,
-            azimuth[seen],
-            elevation[seen],
+            nodes.azimuth_deg[seen],
+            nodes.elevation_deg[seen],
             nodes.thickness_m[seen],
             nodes.outcome[seen],
-            ((nodes.column + block) % 2 == 1)[seen],
+            nodes.odd[seen],
             element.astype(np.int32),
             ray.astype(np.int32),
             weight / total[element],
@@ -185,8 +194,7 @@ class SubRays:
         numpy.ndarray
             `shape`; NaN where any value is, below the horizon, and where nothing is seen.
         """
-        total = np.bincount(self.element, self.weight * values[self.ray], self.size)
-        return np.where(self._unseen, np.nan, total).reshape(self.shape)
+        return np.where(self._unseen, np.nan, self.total(values)).reshape(self.shape)
 
     def mean_and_error(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the mean over each element's response, and the error of the quadrature.
@@ -203,6 +211,27 @@ class SubRays:
             halves.append(total / np.where(weight > 0, weight, np.nan))
         error = np.abs(halves[0] - halves[1]) / 2
         return self.mean(values), np.where(self._unseen, np.nan, error).reshape(self.shape)
+
+    def total(self, values: np.ndarray) -> np.ndarray:
+        """Return Σ w f over each element's entries, (n_element,); see `mean`."""
+        return np.bincount(self.element, self.weight * values[self.ray], self.size)
+
+    def behind_rock(self) -> SubRays:
+        """Return the rays that cross rock, known or not; weights do not add up to 1 any more."""
+        rock = self.thickness_m != 0
+        kept = rock[self.ray]
+        place = np.cumsum(rock) - 1
+        return replace(
+            self,
+            azimuth_deg=self.azimuth_deg[rock],
+            elevation_deg=self.elevation_deg[rock],
+            thickness_m=self.thickness_m[rock],
+            outcome=self.outcome[rock],
+            odd=self.odd[rock],
+            element=self.element[kept],
+            ray=place[self.ray[kept]].astype(np.int32),
+            weight=self.weight[kept],
+        )
 
     @cached_property
     def _unseen(self) -> np.ndarray:

@@ -30,7 +30,8 @@ from ..telescope.planning import (
 )
 from ..topography.sight import Sight
 from ..trajectories import TrajectoryMap, describe_telescope
-from .forward_model import converged, trace_sub_rays
+from .forward_model import converged, first_rays, trace_sub_rays
+from .measured import EXPECTED
 from .provenance import describe_physics, describe_sight
 from .simulation import check_range, terrain_warnings
 
@@ -164,7 +165,12 @@ def expected_counts(
         return error_in_counting_errors(flux, error, acceptance * plan.efficiency * plan.days)
 
     if refine:
-        rays = converged(trace, excess, plan.rays_per_bar, part(progress, 0.0, _TRACED))
+        rays = converged(
+            trace,
+            excess,
+            first_rays(plan.rays_per_bar, responses.window.step_deg[0]),
+            part(progress, 0.0, _TRACED),
+        )
     else:
         rays = trace(plan.rays_per_bar, part(progress, 0.0, _TRACED))
     changes = [1.0]
@@ -194,6 +200,7 @@ def expected_counts(
         **describe_telescope(geometry, formula),
         **_describe_aim(sight, pointing),
         **_describe_plan(plan),
+        "COUNTED": EXPECTED,
     }
     x = geometry.step * merged_offsets(geometry.bars_x, plan.merge)
     y = geometry.step * merged_offsets(geometry.bars_y, plan.merge)[::-1]

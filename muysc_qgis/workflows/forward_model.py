@@ -7,7 +7,15 @@ from collections.abc import Callable
 import numpy as np
 
 from ..errors import MuyscError
-from ..forward.nodes import FINE_ROWS, NodeGrid, Nodes, edge_rows, even_and_uneven, part_elevation
+from ..forward.nodes import (
+    FINE_ROWS,
+    ROW_PARTS,
+    NodeGrid,
+    Nodes,
+    even_nodes,
+    finer_nodes,
+    uneven_blocks,
+)
 from ..forward.responses import Responses
 from ..forward.sub_rays import SubRays
 from ..progress import Progress, part, silent
@@ -34,6 +42,8 @@ _NEIGHBOURS = 32
 TOLERANCE_SIGMA = 0.4
 #: Share of the trajectories that may have more.
 _EXCEPT = 0.05
+#: Width of a bar (degrees) that terrain of some 30 m has few features in.
+_NARROW_DEG = 1.5
 #: How many times as many rays a bar are tried, and directions that are still cheap.
 _FINEST = 4.0
 _AFFORDABLE = 1 << 25
@@ -95,44 +105,65 @@ def trace_sub_rays(
     for first in range(0, columns, step):
         last = min(first + step, columns)
         done = part(progress, first / columns, last / columns)
-        azimuth = grid.azimuth_deg[first:last]
-        rock = trace(azimuth, grid.elevation_deg, part(done, 0.0, 0.7))
-        nodes, edges = even_and_uneven(rock.thickness_m, rock.outcome)
-        fine = _skyline(grid, azimuth, edges, trace, part(done, 0.7, 1.0))
-        for one in (nodes, *fine):
-            found.append(Nodes(one.column + first, one.row, one.rows, one.thickness_m, one.outcome))
-    return SubRays.of(grid, Nodes.joined(found), responses)
+        # With a neighbour on either side, to be compared with.
+        wide = slice(max(first - 1, 0), min(last + 1, columns))
+        rock = trace(grid.azimuth_deg[wide], grid.elevation_deg, part(done, 0.0, 0.5))
+        inner = slice(first - wide.start, last - wide.start)
+        uneven = uneven_blocks(rock.thickness_m)[inner]
+        thickness, outcome = rock.thickness_m[inner], rock.outcome[inner]
+        found.append(even_nodes(grid, first, thickness, outcome, uneven))
+        found += _finer(grid, first, uneven, trace, part(done, 0.5, 1.0))
+    return SubRays.of(Nodes.joined(found), responses)
 
 
-def _skyline(
-    grid: NodeGrid, azimuth: np.ndarray, edges: np.ndarray, trace: _Trace, progress: Progress
+def _finer(
+    grid: NodeGrid, start: int, uneven: np.ndarray, trace: _Trace, progress: Progress
 ) -> list[Nodes]:
-    """Return the finer rays on both sides of the skyline."""
-    column, row, parts = edge_rows(grid, edges)
+    """Return the rays of uneven blocks, which are cut into finer columns.
+
+    Parameters
+    ----------
+    grid, start
+        The directions, and the number of the first column.
+    uneven
+        (n_azimuth, n_block) of bool.
+    """
     nodes = []
-    for first in range(0, len(azimuth), _NEIGHBOURS):
-        here = slice(*np.searchsorted(column, [first, first + _NEIGHBOURS]))
-        if here.start == here.stop:
+    columns = len(uneven)
+    parts = np.arange(FINE_ROWS * ROW_PARTS)
+    for first in range(0, columns, _NEIGHBOURS):
+        column, block = np.nonzero(uneven[first : first + _NEIGHBOURS])
+        if not len(column):
             continue
-        wanted, place = np.unique(parts[here], return_inverse=True)
-        own, ray = np.unique(column[here], return_inverse=True)
+        own, ray = np.unique(column, return_inverse=True)
+        band, level = np.unique(block, return_inverse=True)
+        azimuth = grid.finer_azimuth_deg(start + first + own)
         rock = trace(
-            azimuth[own],
-            part_elevation(grid, wanted),
-            part(progress, first / len(azimuth), min(1.0, (first + _NEIGHBOURS) / len(azimuth))),
+            azimuth.ravel(),
+            grid.finer_elevation_deg((band[:, None] * len(parts) + parts).ravel()),
+            part(progress, first / columns, min(1.0, (first + _NEIGHBOURS) / columns)),
         )
-        place = place.reshape(parts[here].shape)
-        chosen = ray[:, None], place
+        shape = (len(own), grid.finer_columns, len(band), FINE_ROWS, ROW_PARTS)
+        thickness, outcome = (
+            one.reshape(shape)[ray, :, level].reshape(-1, FINE_ROWS, ROW_PARTS)
+            for one in (rock.thickness_m, rock.outcome)
+        )
         nodes.append(
-            Nodes(
-                np.repeat(column[here], parts.shape[1]),
-                np.repeat(row[here], parts.shape[1]),
-                np.full(place.size, 1.0 / parts.shape[1]),
-                rock.thickness_m[chosen].ravel(),
-                rock.outcome[chosen].ravel(),
+            finer_nodes(
+                grid,
+                np.repeat(start + first + column, grid.finer_columns),
+                np.repeat(block, grid.finer_columns),
+                azimuth[ray].ravel(),
+                thickness,
+                outcome,
             )
         )
     return nodes
+
+
+def first_rays(rays_per_bar: float, bar_deg: float) -> float:
+    """Return the rays a bar to begin with: more for wide bars, in which terrain has more room."""
+    return min(MAXIMUM_RAYS, rays_per_bar * max(1.0, min(_FINEST / 2, bar_deg / _NARROW_DEG)))
 
 
 def converged(

@@ -50,8 +50,8 @@ def even_rays(geometry, rays, thickness=0.0, pointing=POINTING):
         for one in np.meshgrid(range(len(grid.azimuth_deg)), range(0, len(grid.elevation_deg), 9))
     )
     full = np.full(len(row), thickness)
-    nodes = Nodes(column, row + 4, np.full(len(row), 9.0), full, np.zeros(len(row), np.uint8))
-    return SubRays.of(grid, nodes, responses)
+    nodes = Nodes.on(grid, column, row + 4, 9.0, full, np.zeros(len(row), np.uint8))
+    return SubRays.of(nodes, responses)
 
 
 def test_weights_add_up_to_one():
@@ -108,8 +108,8 @@ def test_a_pixel_is_a_box():
     grid = NodeGrid.over(responses.window, 4)
     assert len(grid.azimuth_deg) == 12
     column, row = (one.ravel() for one in np.meshgrid(range(12), range(4, 72, 9)))
-    nodes = Nodes(column, row, np.full(96, 9.0), np.ones(96), np.zeros(96, np.uint8))
-    rays = SubRays.of(grid, nodes, responses)
+    nodes = Nodes.on(grid, column, row, 9.0, np.ones(96), np.zeros(96, np.uint8))
+    rays = SubRays.of(nodes, responses)
     np.testing.assert_array_equal(np.bincount(rays.element), np.full(6, 16))
     np.testing.assert_allclose(rays.mean(rays.azimuth_deg), np.tile(azimuth, (2, 1)))
     np.testing.assert_allclose(rays.mean(rays.elevation_deg)[:, 0], elevation, atol=1e-3)
