@@ -120,8 +120,8 @@ class Judged:
                 shift += f"about {max(factor, 1 / factor):.2g}"
             warnings.append(
                 f"{pixels(sky.pixels)} of open sky saw {sky.ratio:.2f} ± {sky.error:.2g} times "
-                f"what the flux model promises, so acceptance, efficiency, days or normalisation are "
-                f"wrong{shift}; check them, or give the counts of a run in the open sky."
+                f"what the flux model promises, so acceptance, efficiency, days or normalisation "
+                f"are wrong{shift}; check them, or give the counts of a run in the open sky."
             )
         light, dense = impossible(self.found)
         for number, what, limit, cause in (
@@ -132,15 +132,16 @@ class Judged:
             if number:
                 warnings.append(
                     f"{pixels(number)}: {what} than {limit:g} g/cm³ beyond the errors, as no rock "
-                    f"is; the cause may be {cause}, or a wrong pointing: check acceptance, pointing "
-                    "and elevation model."
+                    f"is; the cause may be {cause}, or a wrong pointing: check acceptance, "
+                    "pointing and elevation model."
                 )
         if self.chi_squared > _SCATTER:
             warnings.append(
                 f"The densities scatter about their mean by χ² = {self.chi_squared:.2g} per "
-                "datum, more than their errors say, so that the error of the mean is too small: "
-                "the rock is of several densities, or terrain, pointing or acceptance are off; see "
-                "where on the muogram it is, and give a model uncertainty for what all pixels share."
+                "datum, more than their errors say, so that the error of the mean is too "
+                "small: the rock is of several densities, or terrain, pointing or acceptance are "
+                "off; see where on the muogram it is, and give a model uncertainty for what all "
+                "pixels share."
             )
         mixed = self.found.count(Flag.MIXED)
         if mixed:
