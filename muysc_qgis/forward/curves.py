@@ -72,7 +72,8 @@ class DensityCurves:
         count = int(np.ceil(np.log(_HIGHEST_G_CM3 / _LOWEST_G_CM3) / _LN_STEP)) + 1
         ln_density = np.log(_LOWEST_G_CM3) + _LN_STEP * np.arange(count)
         rock = rays.behind_rock()
-        bare = rays.muons(0.0, physics, altitude_m).open_sky
+        distinct, row = np.unique(rays.elevation_deg, return_inverse=True)
+        bare = attenuate(np.zeros(len(distinct)), distinct, physics, altitude_m).open_sky[row]
         sky = rays.total(np.where(rays.thickness_m == 0, bare, 0.0))
         flux_at = _fluxes(rock, ln_density[0], count, physics, altitude_m)
         values = np.empty((rays.size, count))
