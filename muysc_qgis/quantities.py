@@ -80,6 +80,7 @@ QUANTITIES = {
         Quantity("density_lower", "Lower end of the mean density", "g/cm³", "cividis", False),
         Quantity("density_upper", "Upper end of the mean density", "g/cm³", "cividis", False),
         Quantity("density_flags", "Flags of the mean density", "1", "viridis", False),
+        Quantity("density_regions", "Regions of merged pixels", "1", "viridis", False),
         # Over the flux models that hold.
         Quantity("flux_minimum", "Smallest muon flux", "cm⁻² sr⁻¹ day⁻¹", "magma", True),
         Quantity("flux_maximum", "Largest muon flux", "cm⁻² sr⁻¹ day⁻¹", "magma", True),
@@ -91,6 +92,7 @@ QUANTITIES = {
         Quantity("path_length", "Path between the planes", "cm", "magma", False),
         Quantity("angular_resolution", "Angular resolution", "mrad", "cividis", False),
         Quantity("open_sky_counts", "Open-sky muon counts", "1", "magma", True),
+        Quantity("rock_share", "Share of the response behind rock", "1", "viridis", False),
         Quantity("relative_error", "Counting error", "%", "viridis", True),
         Quantity("density_resolution", "Smallest visible density contrast", "%", "viridis", True),
         Quantity("contrast_days", "Days to see the density contrast", "days", "plasma", True),

@@ -26,10 +26,12 @@ from ..muysc_qgis.workflows.measured_density import (
     DensityResult,
     density_behind,
 )
+from ..muysc_qgis.workflows.view_rays import Ground
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import raster_outputs, stage_muograms, wanted
 from .outputs.trajectories import stage_trajectories
+from .parameters.ground import ground_parameters, read_ground
 from .parameters.muograms import read_view_layer
 from .parameters.physics import physics_parameters, read_physics
 from .parameters.values import explained, given, number, read_number, read_optional
@@ -44,6 +46,8 @@ _OUTPUTS = {
     "DENSITY_MINIMUM": "density_minimum",
     "DENSITY_MAXIMUM": "density_maximum",
     "FLAGS": "density_flags",
+    "REGION_NUMBERS": "density_regions",
+    "THICKNESS_SEEN": "thickness",
 }
 #: The muograms that a measurement can be, exactly one of which is given.
 _MEASURED = ("COUNTS", "FLUX", "TRANSMISSION")
@@ -53,10 +57,12 @@ _MEASURED = ("COUNTS", "FLUX", "TRANSMISSION")
 class _Inputs:
     paths: tuple[str, ...]
     measurement: Measurement
-    thickness: View
+    thickness: View | None
     physics: Physics
     choices: DensityChoices
     altitude_m: float | None
+    ground: Ground | None
+    notes: tuple[str, ...]
 
 
 class Density(MuyscAlgorithm):
@@ -78,12 +84,17 @@ class Density(MuyscAlgorithm):
         ("BRIGHT_PIXELS", "Pixels with rock as bright as the open sky"),
         ("UNKNOWN_PIXELS", "Pixels that cannot be known"),
         ("REGIONS", "Regions with a density of their own"),
+        ("MIXED_PIXELS", "Pixels of which one ray says too little"),
+        ("CHI_SQUARED", "Scatter of the densities about their mean (χ² per datum)"),
+        ("SKY_RATIO", "Open sky seen over what the flux model promises"),
     )
 
     def declare(self) -> list[QgsProcessingParameterDefinition]:
         return [
             _muogram("THICKNESS", "Thickness muogram", "Muogram of rock thickness in m, seen from "
-                     "the same place on the same directions.", optional=False),
+                     "the same place on the same directions. One ray then stands for each pixel, "
+                     "and those at the skyline have no density. Give this or, better, the DEM."),
+            *ground_parameters(),
             _muogram("COUNTS", "Muon counts", "Muogram of muons counted in each pixel, whole "
                      "numbers. Give exactly one of counts, flux and transmission."),
             _muogram("FLUX", "Measured flux", "Muogram of measured flux in cm⁻² sr⁻¹ day⁻¹."),
@@ -120,15 +131,16 @@ class Density(MuyscAlgorithm):
                 "MINIMUM_COUNTS", "Merge pixels up to (counts, 0: no merging)",
                 "Give the counts that each region of merged pixels must reach, 0 or more. "
                 "Neighbouring pixels then share one density. 20 and more make the errors "
-                "symmetric.",
-                0.0, 0,
+                "symmetric. With a DEM counts are those expected through rock, less what the sky "
+                "beside it hides. Only for counts.",
+                20.0, 0,
             ),
             number(
-                "MODEL_UNCERTAINTY", "Uncertainty of the flux model (%)",
+                "MODEL_UNCERTAINTY", "Uncertainty of the flux model (%, empty: the model's own)",
                 "Give the relative uncertainty of the flux in %, from 0 to below 100. It is the "
-                "same for all pixels and does not average out. The models differ by 10 % to 15 % "
-                "behind rock.",
-                0.0, 0, 100,
+                "same for all pixels and does not average out. Empty takes the standard error of "
+                "gsf-sibyll at the minimum energies, 5 % to 10 % as a rule, or 15 % for a formula.",
+                None, 0, 100,
             ),
             number(
                 "LIMIT_CONFIDENCE", "Confidence of lower limits (%)",
@@ -171,7 +183,17 @@ class Density(MuyscAlgorithm):
             raise MuyscError(
                 f"{names[0]} is a muogram of {values.quantity}; choose one of {names[0].lower()}."
             )
-        thickness = taken("THICKNESS")
+        ground, notes = read_ground(self, parameters, context)
+        if ground is not None and given(parameters, "THICKNESS"):
+            notes.append("With a DEM the thickness follows from it; THICKNESS is not used.")
+        thickness = muogram("THICKNESS") if ground is None else None
+        if ground is None and thickness is None:
+            raise MuyscError(
+                "Neither DEM nor THICKNESS is given; give the elevation model, or a muogram of the "
+                "rock's thickness on the directions of the measurement."
+            )
+        if ground is not None:
+            paths.append(ground.dem.path)
         read = (self, parameters)
         acceptance = read_optional(*read, "ACCEPTANCE", context)
         if acceptance is not None and given(parameters, "ACCEPTANCES"):
@@ -187,9 +209,13 @@ class Density(MuyscAlgorithm):
             read_optional(*read, "OPEN_SKY_EXPOSURE", context),
             muogram("ACCEPTANCES") if acceptance is None else acceptance,
         )
+        minimum = read_number(*read, "MINIMUM_COUNTS", context)
+        if names[0] != "COUNTS" and not given(parameters, "MINIMUM_COUNTS"):
+            minimum = 0.0
+        uncertainty = read_optional(*read, "MODEL_UNCERTAINTY", context)
         choices = DensityChoices(
-            read_number(*read, "MODEL_UNCERTAINTY", context) / 100,
-            read_number(*read, "MINIMUM_COUNTS", context),
+            None if uncertainty is None else uncertainty / 100,
+            minimum,
             read_number(*read, "LIMIT_CONFIDENCE", context) / 100,
             wanted(parameters, "DENSITY_MINIMUM", "DENSITY_MAXIMUM"),
         )
@@ -200,6 +226,8 @@ class Density(MuyscAlgorithm):
             read_physics(self, parameters, context, density=False),
             choices,
             read_optional(*read, "DETECTOR_ELEVATION", context),
+            ground,
+            tuple(notes),
         )
 
     def compute(
@@ -217,11 +245,16 @@ class Density(MuyscAlgorithm):
             inputs.choices,
             inputs.altitude_m,
             progress_of(feedback, 0.0, 0.8),
+            inputs.ground,
         )
+        for note in inputs.notes:
+            feedback.pushInfo(note)
         _say(feedback, result)
         files = (parameters, context, staging, inputs.paths)
         stage = (
-            stage_trajectories if isinstance(inputs.thickness, TrajectoryMap) else stage_muograms
+            stage_trajectories
+            if isinstance(result.muograms["density"], TrajectoryMap)
+            else stage_muograms
         )
         results = stage(self, _OUTPUTS, result.muograms, *files)
         results |= stage_drawn(
@@ -233,10 +266,8 @@ class Density(MuyscAlgorithm):
         return results | _numbers(result)
 
 
-def _muogram(
-    name: str, label: str, text: str, optional: bool = True
-) -> QgsProcessingParameterDefinition:
-    return explained(QgsProcessingParameterRasterLayer(name, label, None, optional), text)
+def _muogram(name: str, label: str, text: str) -> QgsProcessingParameterDefinition:
+    return explained(QgsProcessingParameterRasterLayer(name, label, None, True), text)
 
 
 def _say(feedback: QgsProcessingFeedback, result: DensityResult) -> None:
@@ -266,6 +297,9 @@ def _numbers(result: DensityResult) -> dict[str, float]:
         "BRIGHT_PIXELS": found.count(Flag.BRIGHT),
         "UNKNOWN_PIXELS": sum(found.count(flag) for flag in UNKNOWN),
         "REGIONS": found.regions,
+        "MIXED_PIXELS": found.count(Flag.MIXED),
+        "CHI_SQUARED": result.chi_squared,
+        "SKY_RATIO": result.sky.ratio,
     }
 
 

@@ -43,7 +43,7 @@ _OUTPUTS = {
     name.upper(): name
     for name in (
         "counts", "exposure", "relative_error", "density_resolution", "contrast_days",
-        "open_sky_counts", "flux", "thickness", "acceptance",
+        "open_sky_counts", "flux", "thickness", "rock_share", "acceptance",
     )
 }  # fmt: skip
 
@@ -83,6 +83,7 @@ class ExpectedCounts(MuyscAlgorithm):
         ("TRAJECTORIES", "Trajectories or bins of them"),
         ("ROCK_TRAJECTORIES", "Trajectories behind rock"),
         ("UNKNOWN_TRAJECTORIES", "Trajectories without counts"),
+        ("QUADRATURE_ERROR", "Error of the sums over sub-rays (counting errors)"),
         ("BORESIGHT_AZIMUTH", "Boresight azimuth (°)"),
         ("BORESIGHT_ELEVATION", "Boresight elevation (°)"),
         ("DETECTOR_ELEVATION", "Detector elevation (m)"),
@@ -173,6 +174,10 @@ def _say(feedback: QgsProcessingFeedback, counts: TelescopeCounts, inputs: _Inpu
         f"{counts.rock_trajectories} of {counts.trajectories} trajectories see rock, "
         f"{counts.unknown_trajectories} cannot be known."
     )
+    feedback.pushInfo(
+        f"{counts.rays:,} rays stand for the responses; their sums are off by up to "
+        f"{counts.quadrature_error:.2g} counting errors in 95 % of the trajectories."
+    )
     for cause, number_of in counts.unknown.items():
         feedback.pushInfo(f"  unknown because {cause}: {number_of} trajectories")
     for warning in (*inputs.unused, *counts.warnings):
@@ -190,6 +195,7 @@ def _numbers(counts: TelescopeCounts, sight: Sight) -> dict[str, float]:
         "TRAJECTORIES": counts.trajectories,
         "ROCK_TRAJECTORIES": counts.rock_trajectories,
         "UNKNOWN_TRAJECTORIES": counts.unknown_trajectories,
+        "QUADRATURE_ERROR": counts.quadrature_error,
         "BORESIGHT_AZIMUTH": counts.pointing.azimuth_deg,
         "BORESIGHT_ELEVATION": counts.pointing.elevation_deg,
         "DETECTOR_ELEVATION": sight.detector_elevation_m,

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
-from functools import cached_property
 
 import numpy as np
 
@@ -14,20 +12,14 @@ from ..progress import Progress, part, silent
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.energy_loss import minimum_energy
 from ..radiography.envelope import Envelope, envelope_over_models, model_holds
-from ..radiography.inversion import opacity_from_flux
 from ..radiography.settings import Physics
-from ..radiography.transmission import attenuate
+from ..radiography.spectra import MODELS
 from ..radiography.validity import OPEN_SKY_SLACK
-from .observation import Observation, pixels
+from .observation import Observation
 from .poisson import logarithmic_errors
+from .pooling import first_telling, pooled
 from .regions import merge_pixels
-from .uniform import uniform_density
-
-#: A flux this close to that of the open sky, relative to it, is not dimmed.
-_UNDIMMED = 1e-12
-
-#: Largest relative uncertainty of the flux model accepted.
-_MAXIMUM_UNCERTAINTY = 1.0
+from .scene import Scene
 
 
 class Flag(IntEnum):
@@ -46,6 +38,8 @@ class Flag(IntEnum):
     NO_ANSWER = 5
     #: So little rock that it stops no muon of those that count.
     TOO_THIN = 6
+    #: One ray says too little of what the pixel sees: rock and sky, or rock of many lengths.
+    MIXED = 7
 
 
 @dataclass(frozen=True)
@@ -79,62 +73,6 @@ class Densities:
     def count(self, flag: Flag) -> int:
         """Return the number of pixels with a flag."""
         return int(np.count_nonzero(self.flags == flag))
-
-
-@dataclass(frozen=True)
-class Scene:
-    """Where the telescope looked, and how muons are produced and stopped.
-
-    Raises
-    ------
-    MuyscError
-        If a thickness is negative or infinite, or the uncertainty is no share.
-    """
-
-    #: (n_elevation, n_azimuth) rock along each ray, m.
-    thickness_m: np.ndarray
-    #: Elevation of the rays in degrees, (n_elevation, 1) or one for each.
-    elevation_deg: np.ndarray
-    physics: Physics
-    altitude_m: float
-    #: Relative uncertainty of the flux model, the same for all pixels.
-    model_uncertainty: float = 0.0
-
-    def __post_init__(self) -> None:
-        bad = self.thickness_m[(self.thickness_m < 0) | np.isinf(self.thickness_m)]
-        if bad.size:
-            raise MuyscError(
-                f"The thickness is negative or infinite in {pixels(bad.size)}, such as "
-                f"{bad[0]:g} m; give 0 for the sky and no-data where unknown."
-            )
-        check_uncertainty(self.model_uncertainty)
-
-    @cached_property
-    def too_thin(self) -> np.ndarray:
-        """Where the material at its own density would dim no flux, (n_elevation, n_azimuth)."""
-        opacity = self.thickness_m * self.physics.density * G_CM2_PER_M_WATER_EQUIVALENT
-        muons = attenuate(opacity, self.elevation_deg, self.physics, self.altitude_m)
-        return (self.thickness_m > 0) & (muons.transmission > 1.0 - _UNDIMMED)
-
-    @cached_property
-    def rock(self) -> np.ndarray:
-        """Where there is rock above the horizon that dims the flux, (n_elevation, n_azimuth)."""
-        return (self.thickness_m > 0) & (self.elevation_deg > 0) & ~self.too_thin
-
-
-def check_uncertainty(share: float) -> None:
-    """Refuse an uncertainty of the flux model that is no share of the flux.
-
-    Raises
-    ------
-    MuyscError
-        If it is not from 0 to below 1.
-    """
-    if not 0 <= share < _MAXIMUM_UNCERTAINTY:
-        raise MuyscError(
-            f"A flux-model uncertainty of {100 * share:g} % cannot be used; give one from 0 to "
-            f"below {100 * _MAXIMUM_UNCERTAINTY:g} %."
-        )
 
 
 def check_minimum(counts: float) -> None:
@@ -190,7 +128,10 @@ def measure_density(
 def model_densities(
     seen: Observation, scene: Scene, minimum_counts: float = 0.0, progress: Progress = silent
 ) -> Envelope:
-    """Return the smallest and largest density over the flux models that hold.
+    """Return how small and how large the densities may be for what the flux is known.
+
+    With a tabulated model, those of one standard error of it to either side; with a formula,
+    the smallest and largest over the formulas that hold.
 
     Parameters
     ----------
@@ -204,10 +145,12 @@ def model_densities(
     Cancelled
         If `progress` asks for a stop.
     """
+    if MODELS[scene.physics.flux_model].tabulated:
+        return _within_band(seen, scene, minimum_counts, progress)
     cosine = np.sin(np.radians(scene.elevation_deg))
 
     def density_of(physics: Physics, progress: Progress) -> tuple[np.ndarray, np.ndarray]:
-        there = Scene(scene.thickness_m, scene.elevation_deg, physics, scene.altitude_m)
+        there = replace(scene, physics=physics, model_uncertainty=0.0)
         found = measure_density(seen, there, minimum_counts, progress)
         measured = found.flags == Flag.MEASURED
         opacity = found.opacity(scene.thickness_m)
@@ -221,30 +164,44 @@ def model_densities(
     return envelope_over_models(scene.physics, density_of, progress)
 
 
+def _within_band(
+    seen: Observation, scene: Scene, minimum_counts: float, progress: Progress
+) -> Envelope:
+    """Return the densities with a flux model one standard error darker, and brighter."""
+    ends = []
+    for turn, factor in enumerate((1.0 - scene.flux_error, 1.0 + scene.flux_error)):
+        exposure = None if seen.exposure is None else seen.exposure * factor
+        there = replace(
+            seen, value=seen.value / factor, limit=seen.limit / factor, exposure=exposure
+        )
+        found = measure_density(
+            there, scene, minimum_counts, part(progress, turn / 2, (turn + 1) / 2)
+        )
+        ends.append(np.where(found.flags == Flag.MEASURED, found.density, np.nan))
+    known = int(np.count_nonzero(np.isfinite(ends[0])))
+    return Envelope(ends[0], ends[1], {scene.physics.flux_model: known})
+
+
 def _single(seen: Observation, scene: Scene, progress: Progress) -> Densities:
     """Return densities pixel by pixel."""
     unit = seen.unit_flux(scene.physics, scene.altitude_m)
     rock = scene.rock & np.isfinite(seen.value)
 
     def density_at(value: np.ndarray, turn: int) -> np.ndarray:
-        flux = np.where(rock, value * unit, np.nan)
-        opacity = opacity_from_flux(
-            flux,
-            scene.elevation_deg,
-            scene.physics,
-            scene.altitude_m,
-            part(progress, turn / 4, (turn + 1) / 4),
-        )
-        length = np.where(rock, scene.thickness_m, np.nan)
-        return opacity / (length * G_CM2_PER_M_WATER_EQUIVALENT)
+        within = part(progress, turn / 4, (turn + 1) / 4)
+        return scene.density_of(value * unit, rock & np.isfinite(value), within)
 
     none = rock & (seen.value == 0)
     down, up = with_model(seen.ln_down, seen.ln_up, scene.model_uncertainty)
+    density = density_at(seen.value, 0)
+    # With less than comes past the rock there is no most dense, as there is without a muon.
+    none |= rock & np.isnan(density) & (seen.value * unit <= scene.sky_flux)
     # A limit holds for the flux of the least favourable model.
-    limit = density_at(np.where(none, seen.limit * np.exp(scene.model_uncertainty), np.nan), 0)
-    density = np.where(none, limit, density_at(seen.value, 1))
+    limit = density_at(np.where(none, seen.limit * np.exp(scene.model_uncertainty), np.nan), 1)
+    density = np.where(none, limit, density)
     lower = np.where(none, limit, density_at(seen.value * np.exp(up), 2))
     upper = density_at(np.where(none, np.nan, seen.value * np.exp(-down)), 3)
+    none &= np.isfinite(density)
     return _flagged(seen, scene, density, lower, upper, none, None)
 
 
@@ -254,55 +211,34 @@ def _merged(
     """Return densities of regions, each pixel with that of its region."""
     rock = scene.rock & np.isfinite(seen.value)
     counts = np.zeros(rock.shape) if seen.counts is None else seen.counts
+    weight = None
+    if scene.rays is not None:
+        # What was counted beside the rock says nothing of it. Regions follow from what is
+        # expected, so that chance has no hand in their shape.
+        told = first_telling(seen, scene, rock)
+        rock &= told.slope > 0
+        counts, weight = told.equivalent, np.maximum(told.slope, 0.0)
     region = merge_pixels(
         np.where(rock, counts, 0.0), rock, minimum_counts, part(progress, 0.0, 0.25)
     )
-    total, density_for = pooled(seen, scene, region)
-    down, up = with_model(*logarithmic_errors(*total), scene.model_uncertainty)
+    pool = pooled(seen, scene, region, weight)
+    down, up = with_model(*logarithmic_errors(*pool.kinds), scene.model_uncertainty)
     ends = [
-        density_for(total[0] * np.exp(shift), part(progress, turn / 4, (turn + 1) / 4))
+        pool.density_for(pool.total * np.exp(shift), part(progress, turn / 4, (turn + 1) / 4))
         for turn, shift in enumerate((np.zeros_like(up), up, -down), start=1)
     ]
-    if not total[0].any() and rock.any():
-        # A picture without any muon is one region, and its density has a limit.
-        most = np.nanmax((seen.limit * seen.exposure)[rock]) * np.exp(scene.model_uncertainty)
-        ends[0] = ends[1] = density_for(np.array([most]), part(progress, 1.0, 1.0))
+    none = pool.total == 0
+    # With less than comes past the rock there is no most dense, as there is without a muon.
+    none |= (np.isnan(ends[0]) & (scene.rays is not None)) & (pool.total > 0)
+    if none.any():
+        limits = pool.most(seen.confidence) * np.exp(scene.model_uncertainty)
+        limit = pool.density_for(np.where(none, limits, np.nan), part(progress, 1.0, 1.0))
+        ends = [np.where(none, limit, ends[0]), np.where(none, limit, ends[1]), ends[2]]
+        none &= np.isfinite(limit)
     density, lower, upper = (np.append(end, np.nan)[region] for end in ends)
-    none = rock & (np.append(total[0], 1.0)[region] == 0)
-    return _flagged(seen, scene, density, lower, upper, none, region)
-
-
-def pooled(
-    seen: Observation, scene: Scene, region: np.ndarray
-) -> tuple[tuple[np.ndarray, ...], Callable[[np.ndarray, Progress], np.ndarray]]:
-    """Return the counts of regions (and of the open sky), and their density for given counts.
-
-    Parameters
-    ----------
-    seen, scene
-        What was measured, as counts, and where.
-    region
-        (n_elevation, n_azimuth) number of each pixel's region from 0, −1 for none.
-    """
-    inside = region >= 0
-    label, number = region[inside], int(region.max(initial=-1)) + 1
-    exposure = seen.exposure / seen.unit_flux(scene.physics, scene.altitude_m)
-    elevation = np.broadcast_to(scene.elevation_deg, region.shape)
-
-    def density_for(counts: np.ndarray, progress: Progress) -> np.ndarray:
-        return uniform_density(
-            counts,
-            label,
-            exposure[inside],
-            scene.thickness_m[inside],
-            elevation[inside],
-            scene.physics,
-            scene.altitude_m,
-            progress,
-        )
-
-    kinds = [kind for kind in (seen.counts, seen.sky_counts) if kind is not None]
-    return tuple(np.bincount(label, kind[inside], number) for kind in kinds), density_for
+    return _flagged(
+        seen, scene, density, lower, upper, rock & np.append(none, False)[region], region
+    )
 
 
 def with_model(
@@ -340,8 +276,10 @@ def _flagged(
     flags[none] = Flag.LOWER_LIMIT
     flags[np.isnan(density)] = Flag.NO_ANSWER
     flags[scene.too_thin] = Flag.TOO_THIN
+    if scene.mixed is not None:
+        flags[scene.mixed] = Flag.MIXED
     flags[np.isnan(seen.value) | np.isnan(scene.thickness_m)] = Flag.NOT_MEASURED
     flags[scene.thickness_m == 0] = Flag.SKY
-    nothing = (flags == Flag.SKY) | (flags == Flag.NOT_MEASURED)
+    nothing = np.isin(flags, (Flag.SKY, Flag.NOT_MEASURED, Flag.MIXED))
     density, lower, upper = (np.where(nothing, np.nan, end) for end in (density, lower, upper))
     return Densities(density, (upper - lower) / 2.0, lower, upper, flags, region)

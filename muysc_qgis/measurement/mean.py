@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..progress import Progress, part, silent
-from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from ..radiography.transmission import attenuate
-from .density import Densities, Flag, Scene, pooled, with_model
+from .density import Densities, Flag, with_model
 from .observation import Observation
 from .poisson import EXACT_BELOW, logarithmic_errors
+from .pooling import Pool, counts_per_flux, first_telling, flux_and_slope, pooled, telling
+from .scene import Scene
 from .uniform import uniform_density
 
-#: Relative step of the density that the slope of the flux is taken over.
-_STEP = 1e-3
+#: A pixel farther off than this many of its errors, by the scatter of all, counts for no more
+#: than it would there (Huber 1964, doi:10.1214/aoms/1177703732) …
+_FAR = 3.0
+#: … and as many muons more, because few counts scatter unevenly.
+_SLACK = 3.0
+
+#: Median of the size of a normal deviate.
+_MEDIAN_DEVIATE = 0.6745
+
+#: Rounds of weights and density.
+_ROUNDS = 3
 
 
 @dataclass(frozen=True)
@@ -38,13 +46,16 @@ def mean_density(
 ) -> Mean:
     """Return the one density that explains all pixels with rock.
 
-    For counts it is the root of Σ a N = Σ a 𝓔 I(100 ρ L, θ) over all pixels, those without
-    a muon included. The weights a = s/(1 + 𝓔I/N₀ + u² 𝓔I), with the slope s = dlnI/dlnρ,
-    the counts N₀ of the open sky and the uncertainty u of the model, are the inverse
-    variances that a density would have in each pixel, taken at the expected counts: weights
-    from the pixel's own counts, or leaving out pixels without any, would draw the mean to
-    lower densities. For a flux or a transmission it is the mean weighted by the inverse
-    squares of the errors of the densities.
+    The root of Σ a v = Σ a v(ρ) over all pixels, those without a muon included, for what was
+    measured, v, and what one density would give, v(ρ). The weights a are the inverse variances
+    that a density would have in each pixel, taken at what is expected: weights from the pixel's
+    own counts, or leaving out pixels without any, would draw the mean to lower densities.
+    Pixels that are off by more than three times the scatter count for less, so that a few
+    that cannot be right do not rule.
+
+    For counts a = s/(1 + 𝓔I/N₀ + u² 𝓔I), with the slope s = −dlnI/dlnρ, the counts N₀ of the
+    open sky and the uncertainty u of the model; for a flux or a transmission I with the
+    relative error σ it is a = s/(I (σ² + u²)).
 
     Parameters
     ----------
@@ -60,107 +71,132 @@ def mean_density(
     Cancelled
         If `progress` asks for a stop.
     """
-    if seen.counts is None:
-        return _weighted_mean(seen, found, scene.model_uncertainty)
     rock = scene.rock & np.isfinite(seen.value)
+    if seen.counts is None:
+        return _of_values(seen, scene, rock, found, progress)
     if not rock.any():
         return _UNKNOWN
-    total, density_for = pooled(seen, scene, np.where(rock, 0, -1))
-    first = float(density_for(total[0], part(progress, 0.0, 0.4))[0])
-    if min(float(kind[0]) for kind in total) < EXACT_BELOW or not first > 0:
-        return _from_total(
-            first, total, density_for, scene.model_uncertainty, part(progress, 0.4, 1.0)
-        )
-    return _from_weights(first, seen, scene, rock, seen.counts[rock], part(progress, 0.4, 1.0))
+    if scene.rays is None:
+        pool = pooled(seen, scene, np.where(rock, 0, -1))
+        first = float(pool.density_for(pool.total, part(progress, 0.0, 0.4))[0])
+    else:
+        told = first_telling(seen, scene, rock)
+        rock &= told.slope > 0
+        if not rock.any():
+            return _UNKNOWN
+        pool = pooled(seen, scene, np.where(rock, 0, -1), np.maximum(told.slope, 0.0))
+        first = float(pool.density_for(pool.total, part(progress, 0.0, 0.4))[0])
+    if min(float(kind[0]) for kind in pool.kinds) < EXACT_BELOW or not first > 0:
+        return _of_sum(first, pool, scene.model_uncertainty, part(progress, 0.4, 1.0))
+    return _of_counts(first, seen, scene, rock, part(progress, 0.4, 1.0))
 
 
-def _from_total(
-    first: float,
-    total: tuple[np.ndarray, ...],
-    density_for: Callable[[np.ndarray, Progress], np.ndarray],
-    uncertainty: float,
-    progress: Progress,
-) -> Mean:
+def _of_sum(first: float, pool: Pool, uncertainty: float, progress: Progress) -> Mean:
     """Return the density of the sum of all counts, with its exact interval."""
-    errors = logarithmic_errors(*total)
+    errors = logarithmic_errors(*pool.kinds)
     halves = []
     for half, (down, up) in enumerate((errors, with_model(*errors, uncertainty))):
         ends = [
-            density_for(total[0] * np.exp(shift), part(progress, turn / 4, (turn + 1) / 4))
+            pool.density_for(pool.total * np.exp(shift), part(progress, turn / 4, (turn + 1) / 4))
             for turn, shift in enumerate((up, -down), start=2 * half)
         ]
         halves.append(float((ends[1] - ends[0])[0]) / 2.0)
     return Mean(first, halves[1], halves[0])
 
 
-def _from_weights(
-    first: float,
-    seen: Observation,
-    scene: Scene,
-    rock: np.ndarray,
-    counted: np.ndarray,
-    progress: Progress,
+def _of_counts(
+    first: float, seen: Observation, scene: Scene, rock: np.ndarray, progress: Progress
 ) -> Mean:
     """Return the density of weighted sums of counts, given a first guess."""
-    exposure = (seen.exposure / seen.unit_flux(scene.physics, scene.altitude_m))[rock]
-    elevation = np.broadcast_to(scene.elevation_deg, rock.shape)[rock]
-    length = scene.thickness_m[rock]
-
-    def expected(density: float, turn: int) -> np.ndarray:
-        opacity = density * length * G_CM2_PER_M_WATER_EQUIVALENT
-        within = part(progress, turn / 10, (turn + 1) / 10)
-        flux = attenuate(opacity, elevation, scene.physics, scene.altitude_m, within).flux
-        return exposure * np.nan_to_num(flux)
-
-    counts = expected(first, 0)
-    more = expected(first * (1.0 + _STEP), 1)
-    some = counts > 0
-    ratio = np.divide(more, counts, out=np.ones_like(counts), where=some & (more > 0))
-    slope = -np.log(ratio) / np.log1p(_STEP)
-    # Variance of the counts over their mean, but for the model's part.
-    spread = np.ones_like(counts)
-    if seen.sky_counts is not None:
-        spread += counts / seen.sky_counts[rock]
-    uncertainty = scene.model_uncertainty
-    weight = slope / (spread + uncertainty**2 * counts)
-    density = float(
-        uniform_density(
-            np.array([np.sum(weight * counted)]),
-            np.zeros(counts.shape, dtype=int),
-            weight * exposure,
-            length,
-            elevation,
-            scene.physics,
-            scene.altitude_m,
-            part(progress, 0.2, 1.0),
-        )[0]
-    )
-    # How the weighted sum falls with ln ρ turns its errors into those of the density.
-    fall = np.sum(weight * counts * slope)
-    own = density * float(np.sqrt(np.sum(weight**2 * counts * spread)) / fall)
-    model = density * uncertainty * float(np.sum(weight * counts) / fall)
+    uncertainty, density = scene.model_uncertainty, first
+    per_flux, own_counts = counts_per_flux(seen, scene), seen.counts
+    counted = np.where(rock, np.nan if own_counts is None else own_counts, 0.0)
+    own = model = np.nan
+    for turn in range(_ROUNDS):
+        done = part(progress, turn / _ROUNDS, (turn + 1) / _ROUNDS)
+        told = telling(seen, scene, density, part(done, 0.0, 0.2))
+        counts, slope = np.where(rock, told.counts, 0.0), np.where(rock, told.slope, 0.0)
+        # Variance of the counts over their mean, but for the model's part.
+        spread = np.ones_like(counts)
+        if seen.sky_counts is not None:
+            spread += np.divide(
+                counts, seen.sky_counts, out=np.zeros_like(counts), where=seen.sky_counts > 0
+            )
+        variance = counts * spread + (uncertainty * counts) ** 2
+        near = _nearness(counted - counts, np.sqrt(variance), rock & (slope > 0), _SLACK)
+        weight = near * slope / (spread + uncertainty**2 * counts)
+        expected, highest = scene.expected(np.where(rock, 0, -1), weight * per_flux, 1)
+        total = np.array([np.sum(weight * counted)])
+        found = float(uniform_density(total, expected, highest, part(done, 0.2, 1.0))[0])
+        if not found > 0:
+            break
+        # How the weighted sum falls with ln ρ turns its errors into those of the density.
+        fall = np.sum(weight * counts * slope)
+        own = found * float(np.sqrt(np.sum(weight**2 * counts * spread)) / fall)
+        model = found * uncertainty * float(np.sum(weight * counts) / fall)
+        density = found
     return Mean(density, float(np.hypot(own, model)), own)
 
 
-def _weighted_mean(seen: Observation, found: Densities, uncertainty: float) -> Mean:
-    """Return the mean of the pixels' densities, weighted by their errors where there are any."""
-    measured = found.flags == Flag.MEASURED
-    density, error = found.density[measured], found.error[measured]
-    if not density.size:
+def _of_values(
+    seen: Observation, scene: Scene, rock: np.ndarray, found: Densities, progress: Progress
+) -> Mean:
+    """Return the density of weighted sums of fluxes or transmissions."""
+    unit = seen.unit_flux(scene.physics, scene.altitude_m)
+    given = (seen.ln_down + seen.ln_up) / 2.0
+    measured = found.density[(found.flags == Flag.MEASURED) & rock]
+    if not measured.size:
         return _UNKNOWN
-    usable = np.isfinite(error) & (error > 0)
-    if not usable.any():
-        return Mean(float(density.mean()), np.nan, np.nan)
-    density, error = density[usable], error[usable]
-    given = ((seen.ln_down + seen.ln_up) / 2.0)[measured][usable]
-    # The shares of each density's error that the errors given, and the model, stand for.
-    share = np.nan_to_num(given) / np.hypot(np.nan_to_num(given), uncertainty)
-    weight = error**-2.0
-    weight /= weight.sum()
-    own = float(np.sqrt(np.sum((weight * error * share) ** 2)))
-    model = float(np.sum(weight * error * np.sqrt(1.0 - share**2)))
-    return Mean(
-        float(np.sum(weight * density)),
-        float(np.hypot(own, model)),
-        own if np.isfinite(given).any() else np.nan,
-    )
+    told = bool(np.isfinite(given[rock]).any())
+    relative = given if told else np.ones(rock.shape)
+    rock = rock & np.isfinite(relative) & (relative > 0)
+    if not rock.any():
+        return _UNKNOWN
+    uncertainty, density = scene.model_uncertainty, float(np.median(measured))
+    flux = np.where(rock, seen.value * unit, 0.0)
+    own = model = np.nan
+    for turn in range(_ROUNDS):
+        done = part(progress, turn / _ROUNDS, (turn + 1) / _ROUNDS)
+        there = flux_and_slope(scene, density, part(done, 0.0, 0.2))
+        rock = rock & (there[0] > 0) & (there[1] > 0)
+        if not rock.any():
+            break
+        bright, slope = np.where(rock, there[0], 1.0), np.where(rock, there[1], 0.0)
+        # Errors grow with the value: one that is too low is not the surer for it.
+        error = np.where(rock, relative, 1.0) * np.maximum(1.0, flux / bright)
+        near = _nearness(flux - bright, bright * np.hypot(error, uncertainty), rock, 0.0, told)
+        weight = np.where(rock, near * slope / (bright * (error**2 + uncertainty**2)), 0.0)
+        expected, highest = scene.expected(np.where(rock, 0, -1), weight, 1)
+        total = np.array([np.sum(weight * flux)])
+        answer = float(uniform_density(total, expected, highest, part(done, 0.2, 1.0))[0])
+        if not answer > 0:
+            break
+        density = answer
+        fall = np.sum(weight * bright * slope)
+        own = density * float(np.sqrt(np.sum((weight * bright * error) ** 2)) / fall)
+        model = density * uncertainty * float(np.sum(weight * bright) / fall)
+    if not told:
+        return Mean(density, model if uncertainty > 0 else np.nan, np.nan)
+    return Mean(density, float(np.hypot(own, model)), own)
+
+
+def _nearness(
+    off: np.ndarray, error: np.ndarray, chosen: np.ndarray, slack: float, known: bool = True
+) -> np.ndarray:
+    """Return factors of at most 1 that keep far pixels from counting for more than others.
+
+    Parameters
+    ----------
+    off, error
+        How far values are from what is expected, and their standard errors.
+    chosen
+        Which pixels take part.
+    slack
+        What values may be farther off, in their own unit.
+    known
+        Whether the errors are; else the scatter alone says what is far.
+    """
+    pulls = np.abs(off[chosen]) / np.maximum(error[chosen], 1e-300)
+    scatter = float(np.median(pulls)) / _MEDIAN_DEVIATE if pulls.size else 1.0
+    allowed = _FAR * max(scatter, 1.0 if known else 1e-9) * error + slack
+    return np.asarray(np.minimum(1.0, allowed / np.maximum(np.abs(off), 1e-300)))

@@ -38,6 +38,8 @@ class Observation:
     exposure: np.ndarray | None = None
     #: Muons counted in the open sky, where the exposure comes from them.
     sky_counts: np.ndarray | None = None
+    #: One-sided confidence of the limits.
+    confidence: float = 0.95
 
     def unit_flux(self, physics: Physics, altitude_m: float) -> np.ndarray:
         """Return the flux in cm⁻² sr⁻¹ day⁻¹ that a value of 1 stands for."""
@@ -53,6 +55,7 @@ def from_counts(
     exposure_days: float,
     acceptance_cm2_sr: float | np.ndarray,
     confidence: float,
+    expected: bool = False,
 ) -> Observation:
     """Return the flux that counts stand for: N/(𝒯 t).
 
@@ -66,13 +69,18 @@ def from_counts(
         Acceptance 𝒯, one for all or one for each pixel.
     confidence
         Of the limit for pixels without a muon, between 0 and 1.
+    expected
+        Whether the counts are those expected, which may be fractions.
 
     Raises
     ------
     MuyscError
         If counts are negative or fractional, or time or acceptance not above 0.
     """
-    check_counts(counts, "muon counts")
+    if expected:
+        _check_no_less_than_zero(counts, "muon counts", "are")
+    else:
+        check_counts(counts, "muon counts")
     check_positive(exposure_days, "exposure in days")
     check_positive(acceptance_cm2_sr, "acceptance in cm² sr")
     exposure = np.broadcast_to(exposure_days * np.asarray(acceptance_cm2_sr), counts.shape)
@@ -84,6 +92,7 @@ def from_counts(
         upper_limit(counts, confidence) / exposure,
         counts=counts,
         exposure=exposure,
+        confidence=confidence,
     )
 
 
@@ -134,6 +143,7 @@ def from_count_ratio(
         counts,
         exposure,
         sky_counts,
+        confidence,
     )
 
 

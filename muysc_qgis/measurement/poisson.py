@@ -135,10 +135,12 @@ def logarithmic_errors(
         normal = np.sqrt(1.0 / some + 1.0 / some_reference)
         lower, upper = exact_ratio_interval(np.where(few, some, np.nan), some_reference)
         estimate = some / some_reference
-    return (
-        np.where(few, np.log(estimate / lower), normal),
-        np.where(few, np.log(upper / estimate), normal),
-    )
+    # Of next to no count, as may be expected but not counted, there is no lower end.
+    with np.errstate(divide="ignore", over="ignore"):
+        return (
+            np.where(few, np.log(estimate / lower), normal),
+            np.where(few, np.log(upper / estimate), normal),
+        )
 
 
 def _distinct(counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..errors import MuyscError
+from .geometry import TelescopeGeometry
 
 
 def merged_offsets(bars: int, merge: int) -> np.ndarray:
@@ -43,6 +44,22 @@ def check_merge(bars: int, merge: int) -> None:
             f"{merge:g} trajectories along a side cannot be merged; give an odd number from 1 to "
             f"{2 * bars - 1}, so that the boresight stays in the middle of a bin."
         )
+
+
+def merged_bins(geometry: TelescopeGeometry, merge: int) -> tuple[tuple[int, int], np.ndarray]:
+    """Return rows and columns of bins of merge × merge trajectories, and the bin of each.
+
+    Returns
+    -------
+    tuple
+        (n_y, n_x), and the number of each trajectory's bin, both row by row.
+    """
+    places, shape = [], []
+    for bars in (geometry.bars_y, geometry.bars_x):
+        offsets = merged_offsets(bars, merge)
+        shape.append(len(offsets))
+        places.append((np.arange(1 - bars, bars) + merge // 2 - int(offsets[0])) // merge)
+    return (shape[0], shape[1]), (places[0][:, None] * shape[1] + places[1]).ravel()
 
 
 def merge_sum(values: np.ndarray, merge: int) -> np.ndarray:

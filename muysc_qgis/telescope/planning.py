@@ -8,9 +8,7 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..radiography.counting import check_positive, exposure_days, feasibility_days
-from .acceptance import Trajectories
-from .merging import merge_sum
-from .sky_table import check_rays
+from .sky import check_rays
 from .statistics import days_for_contrast, significant_excess
 
 #: How the days for a contrast are computed.
@@ -87,42 +85,28 @@ class CountingPlan:
 
 @dataclass(frozen=True)
 class Bins:
-    """Acceptances added up, and means weighted with them, (n_y, n_x) each."""
+    """What trajectories, or bins of them, collect and see, (n_y, n_x) each."""
 
     acceptance_cm2_sr: np.ndarray
-    #: One after another, as in `trajectory_means`.
-    means: np.ndarray
-
-
-def merged_bins(means: np.ndarray, collected: Trajectories, plan: CountingPlan) -> Bins:
-    """Take trajectories together as planned.
-
-    Parameters
-    ----------
-    means
-        (n_quantities, 2 N_y − 1, 2 N_x − 1) means over trajectories.
-    collected
-        Their acceptances.
-    plan
-        Says how many are taken together.
-    """
-    acceptance = merge_sum(collected.acceptance_cm2_sr, plan.merge)
-    summed = merge_sum(means * collected.acceptance_cm2_sr, plan.merge)
-    return Bins(acceptance, summed / acceptance)
+    #: Means over the responses, cm⁻² sr⁻¹ day⁻¹.
+    flux: np.ndarray
+    open_sky: np.ndarray
+    #: Fluxes at other densities, in the order of those of `ON_REQUEST` that are wanted.
+    changed: tuple[np.ndarray, ...]
+    thickness_m: np.ndarray
+    #: Share of the response behind rock.
+    rock_share: np.ndarray
 
 
 def planned_quantities(
-    bins: Bins, fluxes: int, plan: CountingPlan, wanted: tuple[str, ...]
+    bins: Bins, plan: CountingPlan, wanted: tuple[str, ...]
 ) -> dict[str, np.ndarray]:
     """Return the values of every quantity by name.
 
     Parameters
     ----------
     bins
-        Means of flux, open-sky flux, the fluxes at other densities that `wanted` needs,
-        thickness (m), and share behind rock.
-    fluxes
-        Number of the fluxes.
+        What is seen.
     plan
         How long to count and what is to be seen.
     wanted
@@ -130,20 +114,20 @@ def planned_quantities(
     """
     acceptance = bins.acceptance_cm2_sr
     effective = acceptance * plan.efficiency
-    flux, open_sky, *changed = bins.means[:fluxes]
-    thickness, share = bins.means[fluxes:]
+    flux, changed = bins.flux, [*bins.changed]
     rate = flux * effective
     counts = rate * plan.days
     values = {
         "counts": counts,
-        "open_sky_counts": open_sky * effective * plan.days,
+        "open_sky_counts": bins.open_sky * effective * plan.days,
         "relative_error": 100 / np.sqrt(np.where(counts > 0, counts, np.nan)),
         "exposure": exposure_days(flux, effective, plan.muons),
         "flux": flux,
-        "thickness": thickness,
+        "thickness": bins.thickness_m,
+        "rock_share": bins.rock_share,
         "acceptance": acceptance,
     }
-    rock = share > HALF
+    rock = bins.rock_share > HALF
     if "density_resolution" in wanted:
         lighter = changed.pop(0)
         values["density_resolution"] = np.where(

@@ -1,46 +1,37 @@
 """What a telescope will count behind a mountain, and what the counts will show.
 
-DEM → rays on a fine grid → flux → mean flux over each trajectory → counts, errors and
+DEM → sub-rays of every trajectory → flux → mean flux over its response → counts, errors and
 the density contrasts that can be seen.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 
 import numpy as np
 
+from ..forward.responses import TelescopeResponses
+from ..forward.sub_rays import SubRays, error_in_counting_errors
 from ..progress import Progress, part, report, silent
-from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from ..radiography.raytracing import Outcome, RockPaths
+from ..radiography.raytracing import Outcome
 from ..radiography.settings import Physics
-from ..radiography.transmission import Attenuation, attenuate
 from ..telescope.acceptance import trajectories
 from ..telescope.directions import Pointing
 from ..telescope.geometry import TelescopeGeometry
-from ..telescope.merging import check_merge, merge_sum, merged_offsets
+from ..telescope.merging import check_merge, merge_sum, merged_bins, merged_offsets
 from ..telescope.planning import (
     HALF,
     ON_REQUEST,
     PROBE,
+    Bins,
     CountingPlan,
-    merged_bins,
     planned_quantities,
 )
-from ..telescope.quadrature import trajectory_means
-from ..telescope.sky_table import (
-    FINE_ROWS,
-    Layers,
-    SkyGrid,
-    SkyTable,
-    abrupt_steps,
-    grid_around,
-    reaches_horizon,
-)
 from ..topography.sight import Sight
-from ..topography.tracing import trace_terrain
 from ..trajectories import TrajectoryMap, describe_telescope
+from .forward_model import converged, first_rays, trace_sub_rays
+from .measured import EXPECTED
 from .provenance import describe_physics, describe_sight
 from .simulation import check_range, terrain_warnings
 
@@ -55,6 +46,8 @@ class TelescopeCounts:
     maps: Mapping[str, TrajectoryMap]
     #: (n_y, n_x) share of each trajectory's response behind rock; unknown counts as rock.
     rock_share: np.ndarray
+    #: (n_y, n_x) error of the sums over rays, in counting errors.
+    quadrature_sigma: np.ndarray
     #: One sentence each.
     warnings: tuple[str, ...]
     #: Number of trajectories that cannot be known, by cause.
@@ -64,7 +57,6 @@ class TelescopeCounts:
     plan: CountingPlan
     #: Rays traced.
     rays: int = 0
-    grid: SkyGrid | None = field(default=None, repr=False)
 
     @property
     def trajectories(self) -> int:
@@ -85,6 +77,12 @@ class TelescopeCounts:
     def unknown_trajectories(self) -> int:
         """Number of trajectories without counts."""
         return int(np.count_nonzero(np.isnan(self.maps["counts"].values)))
+
+    @property
+    def quadrature_error(self) -> float:
+        """Error of the sums over rays that 95 % of the trajectories stay below, counting errors."""
+        known = self.quadrature_sigma[np.isfinite(self.quadrature_sigma)]
+        return float(np.percentile(known, 95)) if known.size else float("nan")
 
     def rate_per_day(self, behind_rock: bool = False) -> float:
         """Return the muons a day along all known trajectories, or along those behind rock."""
@@ -110,6 +108,7 @@ def expected_counts(
     near_field_m: float = 0.0,
     wanted: tuple[str, ...] = ON_REQUEST,
     progress: Progress = silent,
+    refine: bool = True,
 ) -> TelescopeCounts:
     """Compute what a telescope counts along each of its trajectories.
 
@@ -133,6 +132,8 @@ def expected_counts(
         Which of `ON_REQUEST` to compute as well.
     progress
         Told the share done.
+    refine
+        Whether rays are added where the plan's are too few for the counts expected.
 
     Raises
     ------
@@ -144,49 +145,54 @@ def expected_counts(
     check_range(max_range_m, near_field_m)
     for bars in (geometry.bars_x, geometry.bars_y):
         check_merge(bars, plan.merge)
-    grid = grid_around(geometry, pointing, plan.rays_per_bar)
-    rock = trace_terrain(
-        sight.frame,
-        sight.detector_elevation_m,
-        grid.azimuth_deg,
-        grid.fine_elevation_deg,
-        max_range_m,
-        near_field_m,
-        part(progress, 0.0, _TRACED),
-    )
     altitude = sight.detector_elevation_m if physics.altitude_counts else 0.0
+    collected = trajectories(geometry, formula).acceptance_cm2_sr
+    acceptance = merge_sum(collected, plan.merge)
+    shape, bins = merged_bins(geometry, plan.merge)
+    responses = TelescopeResponses(geometry, pointing)
+
+    def trace(rays_per_bar: float, progress: Progress) -> SubRays:
+        rays = trace_sub_rays(
+            sight.frame, sight.detector_elevation_m, responses, rays_per_bar,
+            max_range_m, near_field_m, progress,
+        )  # fmt: skip
+        if plan.merge == 1:
+            return rays
+        return rays.taken_together(shape, bins, collected.ravel())
+
+    def excess(rays: SubRays) -> np.ndarray:
+        flux, error = rays.mean_and_error(rays.muons(physics.density, physics, altitude).flux)
+        return error_in_counting_errors(flux, error, acceptance * plan.efficiency * plan.days)
+
+    if refine:
+        rays = converged(
+            trace,
+            excess,
+            first_rays(plan.rays_per_bar, responses.window.step_deg[0]),
+            part(progress, 0.0, _TRACED),
+        )
+    else:
+        rays = trace(plan.rays_per_bar, part(progress, 0.0, _TRACED))
     changes = [1.0]
     if "density_resolution" in wanted:
         changes.append(1.0 - PROBE)
     if "contrast_days" in wanted:
         changes.append(1.0 + plan.contrast_percent / 100)
-    thickness, sky = rock.thickness_m.T, rock.thickness_m.T == 0
-    coarse = thickness[::FINE_ROWS]
-    muons, logarithmic = _fluxes(
-        coarse, grid.elevation_deg[:, None], changes, physics, altitude, progress
+    muons = []
+    for number, change in enumerate(changes):
+        done = _TRACED + (1 - _TRACED) * number / len(changes)
+        report(progress, done)
+        muons.append(rays.muons(physics.density * change, physics, altitude))
+    flux, error = rays.mean_and_error(muons[0].flux)
+    seen = Bins(
+        acceptance,
+        flux,
+        rays.mean(np.broadcast_to(muons[0].open_sky, rays.thickness_m.shape)),
+        tuple(rays.mean(one.flux) for one in muons[1:]),
+        rays.mean_thickness_m,
+        rays.rock_share,
     )
-    steps = abrupt_steps(grid, sky, logarithmic)
-    report(progress, 0.75)
-    detail = grid.fine_part(steps, thickness)
-    elevation = grid.fine_part(
-        steps, np.broadcast_to(grid.fine_elevation_deg[:, None], thickness.shape)
-    )
-    _, fine = _fluxes(detail, elevation, changes, physics, altitude, progress)
-    table = SkyTable(
-        grid,
-        pointing,
-        _layers(coarse, logarithmic),
-        steps,
-        _layers(detail, fine),
-    )
-    rough = table.rough_cells(geometry)
-    means = trajectory_means(geometry, table, rough)
-    below = reaches_horizon(geometry, pointing)
-    means[:, below] = np.nan
-    report(progress, 0.9)
-    collected = trajectories(geometry, formula)
-    bins = merged_bins(means, collected, plan)
-    values = planned_quantities(bins, len(logarithmic), plan, wanted)
+    values = planned_quantities(seen, plan, wanted)
     report(progress, 1.0)
     metadata = {
         **describe_sight(sight, max_range_m, near_field_m),
@@ -194,23 +200,24 @@ def expected_counts(
         **describe_telescope(geometry, formula),
         **_describe_aim(sight, pointing),
         **_describe_plan(plan),
+        "COUNTED": EXPECTED,
     }
     x = geometry.step * merged_offsets(geometry.bars_x, plan.merge)
     y = geometry.step * merged_offsets(geometry.bars_y, plan.merge)[::-1]
     return TelescopeCounts(
         {name: TrajectoryMap(name, array, x, y, metadata) for name, array in values.items()},
-        bins.means[-1],
+        rays.rock_share,
+        error_in_counting_errors(flux, error, acceptance * plan.efficiency * plan.days),
         (
-            *_all_sky(bins.means[-1]),
-            *terrain_warnings(sight, rock, max_range_m),
-            *muons.warnings,
+            *_all_sky(rays.rock_share),
+            *terrain_warnings(sight, rays, max_range_m),
+            *muons[0].warnings,
         ),
-        _unknown(rock, table, geometry, rough, below, plan.merge),
+        _unknown(rays, muons[0].flux),
         geometry,
         pointing,
         plan,
-        thickness.size,
-        grid,
+        len(rays.azimuth_deg),
     )
 
 
@@ -248,75 +255,19 @@ def _all_sky(rock_share: np.ndarray) -> tuple[str, ...]:
     )
 
 
-def _fluxes(
-    thickness_m: np.ndarray,
-    elevation_deg: np.ndarray,
-    changes: list[float],
-    physics: Physics,
-    altitude_m: float,
-    progress: Progress,
-) -> tuple[Attenuation, np.ndarray]:
-    """Return the muons behind rock; and flux, open sky and the fluxes at changed densities."""
-    opacity = thickness_m * (physics.density * G_CM2_PER_M_WATER_EQUIVALENT)
-    results = []
-    for change in changes:
-        report(progress, _TRACED)
-        results.append(attenuate(opacity * change, elevation_deg, physics, altitude_m))
-    first, *others = results
-    sky = np.broadcast_to(first.open_sky, opacity.shape)
-    return first, np.stack([first.flux, sky, *(other.flux for other in others)])
-
-
-def _layers(thickness_m: np.ndarray, logarithmic: np.ndarray) -> Layers:
-    sky = thickness_m == 0
-    return Layers(sky, logarithmic, np.stack([thickness_m, np.where(sky, 0.0, 1.0)]))
-
-
-def _unknown(
-    rock: RockPaths,
-    table: SkyTable,
-    geometry: TelescopeGeometry,
-    rough: np.ndarray,
-    below: np.ndarray,
-    merge: int,
-) -> dict[str, int]:
+def _unknown(rays: SubRays, flux: np.ndarray) -> dict[str, int]:
     """Count the trajectories of which a part cannot be known, by cause."""
-    horizon = "part of it looks at or below the horizon, where no flux model has an answer"
-    touched = {horizon: merge_sum(below.astype(float), merge) > 0}
-    if any(np.isnan(layers.logarithmic[0]).any() for layers in (table.coarse, table.fine)):
-        touched |= _unknown_rock(rock, table, geometry, rough, merge)
-    return {cause: int(np.count_nonzero(one)) for cause, one in touched.items() if one.any()}
-
-
-def _unknown_rock(
-    rock: RockPaths,
-    table: SkyTable,
-    geometry: TelescopeGeometry,
-    rough: np.ndarray,
-    merge: int,
-) -> dict[str, np.ndarray]:
-    """Return the trajectories along which the rock or its flux is unknown, by cause."""
-    outcome = rock.outcome.T
+    lost = np.isnan(flux)
     causes = {
-        "a ray reaches the edge of the DEM in rock": Outcome.EDGE,
-        "a ray passes a gap in the DEM": Outcome.NO_DATA,
-        "the energy loss has no answer for so much rock": None,
+        "part of it looks at or below the horizon, where no flux model has an answer": (
+            rays.below.reshape(rays.shape)
+        ),
+        "a ray reaches the edge of the DEM in rock": (
+            rays.touched(lost & (rays.outcome == Outcome.EDGE))
+        ),
+        "a ray passes a gap in the DEM": rays.touched(lost & (rays.outcome == Outcome.NO_DATA)),
+        "the energy loss has no answer for so much rock": (
+            rays.touched(lost & np.isfinite(rays.thickness_m))
+        ),
     }
-
-    def marked(layers: Layers, outcome: np.ndarray) -> Layers:
-        lost = np.isnan(layers.linear[0])
-        masks = [lost & (outcome == code) for code in causes.values() if code is not None]
-        masks.append(np.isnan(layers.logarithmic[0]) & ~lost)
-        nothing = np.empty((0, *lost.shape))
-        return Layers(layers.sky, nothing, np.stack(masks).astype(float))
-
-    masks = replace(
-        table,
-        coarse=marked(table.coarse, outcome[::FINE_ROWS]),
-        fine=marked(table.fine, table.grid.fine_part(table.steps, outcome)),
-    )
-
-    def reasons(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        return np.nan_to_num(masks(x, y))
-
-    return dict(zip(causes, merge_sum(trajectory_means(geometry, reasons, rough), merge) > 0))
+    return {cause: int(np.count_nonzero(one)) for cause, one in causes.items() if one.any()}

@@ -20,6 +20,10 @@ from ..views import (
     require_same_directions,
     require_same_pixels,
 )
+from .view_rays import acceptance_of
+
+#: What counts say that were not counted but are expected (metadata key COUNTED).
+EXPECTED = "expected"
 
 
 @dataclass(frozen=True)
@@ -43,7 +47,7 @@ class Measurement:
     #: Days of counting in the open sky; None for what its muogram says (DAYS).
     open_sky_days: float | None = None
     #: cm² sr of a pixel, one for all or a raster on the same pixels; None for what the
-    #: muogram says (ACCEPTANCE).
+    #: muogram says (ACCEPTANCE, or the telescope that it describes).
     acceptance_cm2_sr: float | View | None = None
 
     def __post_init__(self) -> None:
@@ -97,10 +101,15 @@ class Measurement:
         days = _known(self.days, self.values, "DAYS", "exposure in days")
         if self.open_sky is None:
             acceptance = self.acceptance_cm2_sr
+            expected = self.values.metadata.get("COUNTED") == EXPECTED
+            if acceptance is None and "ACCEPTANCE" not in self.values.metadata:
+                told = acceptance_of(self.values)
+                if told is not None:
+                    return from_counts(values, days, told, confidence, expected)
             if isinstance(acceptance, (float, int, type(None))):
                 each = _known(acceptance, self.values, "ACCEPTANCE", "acceptance in cm² sr")
-                return from_counts(values, days, each, confidence)
-            return from_counts(values, days, acceptance.values, confidence)
+                return from_counts(values, days, each, confidence, expected)
+            return from_counts(values, days, acceptance.values, confidence, expected)
         sky_days = _known(
             self.open_sky_days, self.open_sky, "DAYS", "exposure of the open sky in days"
         )

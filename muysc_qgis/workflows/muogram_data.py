@@ -35,7 +35,7 @@ _SAME_GROUND_M = 20.0
 _SAME_TERRAIN = 0.05
 
 #: Flags of pixels whose flux says no opacity.
-_NO_OPACITY = (Flag.LOWER_LIMIT, Flag.BRIGHT, Flag.NO_ANSWER, Flag.TOO_THIN)
+_NO_OPACITY = (Flag.LOWER_LIMIT, Flag.BRIGHT, Flag.NO_ANSWER, Flag.TOO_THIN, Flag.MIXED)
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ..errors import MuyscError
-from ..measurement.density import Densities, Flag, Scene, check_minimum, measure_density
+from ..measurement.density import Densities, Flag, check_minimum, measure_density
 from ..measurement.observation import from_counts
 from ..measurement.regions import errors_of_pixels
+from ..measurement.scene import Scene
 from ..muogram import Muogram
 from ..progress import Progress, silent
 from ..radiography.aperture import Aperture

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import MuyscError
+from ..forward.sub_rays import SubRays
 from ..muogram import Muogram
 from ..progress import Progress, part, report, silent
 from ..radiography.aperture import Aperture
@@ -301,7 +302,9 @@ def check_range(max_range_m: float | None, near_field_m: float) -> None:
         )
 
 
-def terrain_warnings(sight: Sight, rock: RockPaths, max_range_m: float | None) -> tuple[str, ...]:
+def terrain_warnings(
+    sight: Sight, rock: RockPaths | SubRays, max_range_m: float | None
+) -> tuple[str, ...]:
     """Return a sentence for whatever on the terrain limits the result.
 
     Parameters

@@ -32,6 +32,7 @@ _HELP = {
     "distance": "Length of each ray from the detector to the first rock.",
     "counts": "Muons expected along each trajectory in the time given.",
     "open_sky_counts": "Muons that there would be without the rock.",
+    "rock_share": "Share of each trajectory's response that lies behind rock, 0 to 1.",
     "relative_error": "Standard error of the counts, in percent of them.",
     "density_resolution": "Smallest decrease of the mean density along the path that the counts "
     "show, in percent.",
@@ -46,7 +47,9 @@ _HELP = {
     "density_lower": "Lower end of the interval of one standard deviation.",
     "density_upper": "Upper end of the interval of one standard deviation.",
     "density_flags": "0 measured, 1 no rock, 2 lower limit, 3 as bright as the open sky, 4 not "
-    "measured, 5 no density explains the flux, 6 too little rock to dim it.",
+    "measured, 5 no density explains the flux, 6 too little rock to dim it, 7 skyline or rock of "
+    "many lengths in it.",
+    "density_regions": "Number of the region of merged pixels that shares one density, from 1.",
     "flux_minimum": "Smallest flux over the models that hold for the ray's energy and zenith.",
     "flux_maximum": "Largest flux over the models that hold for the ray's energy and zenith.",
     "density_minimum": "Smallest density over the flux models that hold for the ray.",

@@ -209,8 +209,9 @@ def plan_parameters() -> list[QgsProcessingParameterDefinition]:
         ),
         number(
             "RAYS_PER_BAR", "Rays for each bar",
-            "Give the number of rays along a side, 1 to 50, traced for each step from one "
-            "trajectory to the next. Errors fall with about its square.",
+            "Give the number of rays along a side, 1 to 50, for each step from one trajectory to "
+            "the next. Errors fall with its square; where they matter beside those of counting, "
+            "up to four times as many are traced.",
             3.0, 1, 50, advanced=True,
         ),
     ]  # fmt: skip

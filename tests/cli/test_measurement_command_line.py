@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from osgeo import gdal
 
+from muysc_qgis.trajectories import read_trajectories
+
 gdal.UseExceptions()
 
 
@@ -68,7 +70,9 @@ def test_a_table_becomes_a_density(qgis_process, survey, tmp_path):
         assert path.stat().st_size > 500
     found = numbers(done.stdout)
     assert abs(found["MEAN_DENSITY"] - 2.2) < 3.5 * found["MEAN_DENSITY_ERROR"]
-    assert found["DENSITY_PIXELS"] == found["ROCK_PIXELS"] > 100
+    # One ray says too little of the pixels at the skyline.
+    assert found["DENSITY_PIXELS"] + found["MIXED_PIXELS"] == found["ROCK_PIXELS"] > 100
+    assert found["DENSITY_PIXELS"] > 100
 
 
 def test_the_models_enclose_the_flux(survey):
@@ -109,3 +113,44 @@ def test_bad_input_is_refused_in_one_sentence_and_leaves_no_file(
         assert word in done.stdout + done.stderr
     assert "Traceback" not in done.stderr
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("terrain", "detector", "target", "preset", "boresight"),
+    [
+        ("vesuvius_srtmgl1", (14.410686, 40.810561), (14.424745, 40.823729), "mute", 24),
+        ("vesuvius_srtmgl1", (14.410686, 40.810561), (14.424745, 40.823729), "lesparre2012", 26),
+        ("st_helens_usgs", (-122.205, 46.215), (-122.1885, 46.2), "lesparre2012", 18),
+    ],
+)
+def test_counts_come_back_as_the_density_that_made_them(
+    qgis_process, data_folder, tmp_path, terrain, detector, target, preset, boresight
+):
+    place = {
+        "DEM": data_folder / f"{terrain}.tif",
+        "DETECTOR": f"{detector[0]},{detector[1]} [EPSG:4326]",
+    }
+    counts, share = tmp_path / "counts.tif", tmp_path / "share.tif"
+    done = qgis_process.run(
+        "expectedcounts",
+        {
+            **place, "TARGET": f"{target[0]},{target[1]} [EPSG:4326]", "PRESET": preset,
+            "BORESIGHT_ELEVATION": boresight, "DAYS": 100, "FLUX_MODEL": "gaisser-tang",
+            "COUNTS": counts, "ROCK_SHARE": share,
+        },
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    density = tmp_path / "density.tif"
+    done = qgis_process.run(
+        "density",
+        {
+            "COUNTS": counts, "DEM": place["DEM"], "FLUX_MODEL": "gaisser-tang",
+            "DENSITY": density, "DENSITY_ERROR": tmp_path / "error.tif",
+        },
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert abs(numbers(done.stdout)["MEAN_DENSITY"] - 2.65) < 0.01
+    found, rock = read_trajectories(density).values, read_trajectories(share).values >= 0.1
+    known = rock & np.isfinite(found)
+    assert known.sum() > 0.95 * rock.sum() > 150
+    assert np.percentile(np.abs(found[known] - 2.65), 95) < 0.03

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from muysc_qgis.errors import MuyscError
-from muysc_qgis.measurement.density import Flag, Scene, measure_density
+from muysc_qgis.measurement.density import Flag, measure_density
 from muysc_qgis.measurement.mean import mean_density
 from muysc_qgis.measurement.observation import (
     check_transmission,
@@ -12,6 +12,7 @@ from muysc_qgis.measurement.observation import (
     from_counts,
     from_values,
 )
+from muysc_qgis.measurement.scene import Scene
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.transmission import attenuate
 

@@ -15,8 +15,9 @@ below about 1 GeV/c, and what is left of the acceptance rises gradually above.
 import numpy as np
 import pytest
 
-from muysc_qgis.measurement.density import Scene, measure_density
+from muysc_qgis.measurement.density import measure_density
 from muysc_qgis.measurement.observation import from_values
+from muysc_qgis.measurement.scene import Scene
 from muysc_qgis.radiography.envelope import model_envelope
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.transmission import attenuate

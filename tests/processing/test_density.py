@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 
+from muysc_qgis.measurement.density import Flag
 from muysc_qgis.muogram import Muogram, read_muogram, write_muogram
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.transmission import attenuate
@@ -53,6 +54,7 @@ def measure(run, files, tmp_path):
             name: str(tmp_path / f"out_{name}.tif")
             for name in (
                 "DENSITY", "DENSITY_ERROR", "OPACITY", "DENSITY_LOWER", "DENSITY_UPPER", "FLAGS",
+                "REGION_NUMBERS",
             )
         }  # fmt: skip
         chosen = {name: files.get(value, value) for name, value in parameters.items()}
@@ -71,12 +73,17 @@ def values(path):
 @pytest.mark.parametrize("name", ["FLUX", "TRANSMISSION"])
 def test_without_noise_the_density_comes_back(measure, files, name):
     results = measure(**{name: name.lower()})
-    rock = values(files["thickness"]) > 0
-    np.testing.assert_allclose(values(results["DENSITY"])[rock], DENSITY, rtol=2e-3)
-    assert np.isnan(values(results["DENSITY"])[~rock]).all()
+    rock, flags = values(files["thickness"]) > 0, values(results["FLAGS"])
+    # One ray says too little of the pixels at the skyline, and where the rock is steep.
+    plain = rock & (flags != Flag.MIXED)
+    assert np.count_nonzero(rock & ~plain) == results["MIXED_PIXELS"] > 20
+    assert results["MIXED_PIXELS"] < plain.sum()
+    np.testing.assert_allclose(values(results["DENSITY"])[plain], DENSITY, rtol=2e-3)
+    assert np.isnan(values(results["DENSITY"])[~plain]).all()
     assert np.all(values(results["OPACITY"])[~rock] == 0)
     assert results["MEAN_DENSITY"] == pytest.approx(DENSITY, rel=2e-3)
-    assert results["ROCK_PIXELS"] == results["DENSITY_PIXELS"] == np.count_nonzero(rock)
+    assert results["ROCK_PIXELS"] == np.count_nonzero(rock)
+    assert results["DENSITY_PIXELS"] == np.count_nonzero(plain)
     assert np.isnan(results["MEAN_DENSITY_ERROR"])
 
 
@@ -92,10 +99,11 @@ def test_errors_of_a_flux_become_errors_of_the_density(measure):
 
 def test_counts_with_exposure_and_acceptance(measure, recorder):
     feedback = recorder()
-    results = measure(feedback, **COUNTS)
+    results = measure(feedback, **COUNTS, MINIMUM_COUNTS=0)
     pull = (results["MEAN_DENSITY"] - DENSITY) / results["MEAN_DENSITY_ERROR"]
     assert abs(pull) < 3.5
-    assert results["LIMIT_PIXELS"] + results["DENSITY_PIXELS"] == results["ROCK_PIXELS"]
+    known = results["LIMIT_PIXELS"] + results["DENSITY_PIXELS"]
+    assert known + results["MIXED_PIXELS"] == results["ROCK_PIXELS"]
     flags, density = values(results["FLAGS"]), values(results["DENSITY"])
     assert np.count_nonzero(flags == 2) == results["LIMIT_PIXELS"] > 0
     assert np.isfinite(density[flags == 2]).all()
@@ -115,16 +123,20 @@ def test_the_open_sky_replaces_the_acceptance(measure):
 def test_merged_pixels_have_no_limits(measure):
     results = measure(**COUNTS, MINIMUM_COUNTS=25)
     assert results["LIMIT_PIXELS"] == 0
-    assert results["DENSITY_PIXELS"] == results["ROCK_PIXELS"]
+    assert results["DENSITY_PIXELS"] + results["MIXED_PIXELS"] == results["ROCK_PIXELS"]
     density = values(results["DENSITY"])
     assert results["REGIONS"] == len(np.unique(density[np.isfinite(density)]))
-    assert results["REGIONS"] < results["ROCK_PIXELS"]
+    assert results["REGIONS"] < results["DENSITY_PIXELS"]
+    number = values(results["REGION_NUMBERS"])
+    assert len(np.unique(number[np.isfinite(number)])) == results["REGIONS"]
+    # As they are by default, up to 20.
+    assert measure(**COUNTS)["REGIONS"] >= results["REGIONS"]
 
 
 def test_the_uncertainty_of_the_model_widens_the_mean(measure):
     plain, wide = (measure(**COUNTS, MODEL_UNCERTAINTY=percent) for percent in (0, 15))
-    assert wide["MEAN_DENSITY_ERROR"] > 5 * plain["MEAN_DENSITY_ERROR"]
-    assert wide["MEAN_DENSITY_STATISTICAL_ERROR"] < wide["MEAN_DENSITY_ERROR"] / 5
+    assert wide["MEAN_DENSITY_ERROR"] > 3 * plain["MEAN_DENSITY_ERROR"]
+    assert wide["MEAN_DENSITY_STATISTICAL_ERROR"] < wide["MEAN_DENSITY_ERROR"] / 3
 
 
 def test_the_spread_of_the_models_encloses_the_density(measure, tmp_path):
@@ -142,7 +154,7 @@ def test_the_spread_of_the_models_encloses_the_density(measure, tmp_path):
 
 def test_panel_and_report_tell_the_mean_and_the_limits(measure, tmp_path):
     panel, report = tmp_path / "p.png", tmp_path / "r.html"
-    measure(**COUNTS, PANEL=str(panel), REPORT=str(report))
+    measure(**COUNTS, MINIMUM_COUNTS=0, PANEL=str(panel), REPORT=str(report))
     assert panel.stat().st_size > 20_000
     said = report.read_text(encoding="utf-8")
     for words in ("Mean density", "lower limit", "Garwood", "flag 2", "counts.tif"):
@@ -215,7 +227,10 @@ def refused(measure, tmp_path):
         ({"FLUX": "flux", "MODEL_UNCERTAINTY": 100}, ("100 %", "0 to below 100")),
         ({**COUNTS, "LIMIT_CONFIDENCE": 40}, ("40 %", "50 %")),
         ({"FLUX": "flux", "THICKNESS": "flux"}, ("thickness muogram holds flux",)),
-        ({"FLUX": "flux", "THICKNESS": None}, ("THICKNESS is missing",)),
+        (
+            {"FLUX": "flux", "THICKNESS": None},
+            ("Neither DEM nor THICKNESS", "give the elevation model"),
+        ),
         ({"FLUX": "/no/such/flux.tif"}, ("/no/such/flux.tif", "cannot be opened")),
         ({"FLUX": "flux", "FLUX_MODEL": "hebbeker"}, ("hebbeker",)),
     ],

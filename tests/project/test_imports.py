@@ -16,6 +16,7 @@ ROOMS = {
     "muysc_qgis/radiography": {"numpy", "scipy"},
     "muysc_qgis/measurement": {"numpy", "scipy"},
     "muysc_qgis/telescope": {"numpy", "scipy"},
+    "muysc_qgis/forward": {"numpy"},
     "muysc_qgis/tomography": {"numpy", "scipy"},
     "muysc_qgis/survey": {"numpy", "osgeo", "pyproj", "distributed"},
     "muysc_qgis/topography": {"numpy", "scipy", "osgeo", "pyproj"},
@@ -33,7 +34,9 @@ USES_QGIS = ("plugin.py", "translation.py")
 _COMMON = {"errors", "progress", "quantities", "__version__"}
 #: Beside the rooms: the forms of data, and their files.
 _DATA = {"muogram", "trajectories", "views", "volume", "tables"}
-_COMPUTING = {"radiography", "telescope", "topography", "survey", "measurement", "tomography"}
+_COMPUTING = {
+    "radiography", "telescope", "forward", "topography", "survey", "measurement", "tomography",
+}  # fmt: skip
 #: And what these may: rock and muons know no terrain, no file and no picture; terrain,
 #: telescopes and measurements know neither each other nor a picture; only the desktop
 #: knows the desktop.
@@ -42,7 +45,8 @@ NEIGHBOURS = {
     "muysc_qgis/telescope": _COMMON | {"telescope", "radiography"},
     "muysc_qgis/topography": _COMMON | {"topography", "radiography", "muogram", "geotiff"},
     "muysc_qgis/survey": _COMMON | {"survey", "topography"},
-    "muysc_qgis/measurement": _COMMON | {"measurement", "radiography", "muogram"},
+    "muysc_qgis/forward": _COMMON | {"forward", "radiography", "telescope"},
+    "muysc_qgis/measurement": _COMMON | {"measurement", "forward", "radiography", "muogram"},
     "muysc_qgis/tomography": _COMMON | {"tomography"},
     "muysc_qgis/workflows": _COMMON | _DATA | _COMPUTING | {"workflows"},
     "muysc_qgis/plots": _COMMON | _DATA | _COMPUTING | {"workflows", "plots"},

@@ -66,7 +66,8 @@ def test_the_whole_sky_converges_to_second_order_in_the_rays(sight):
 
     def counts(rays):
         plan = CountingPlan(rays_per_bar=rays)
-        return expected_counts(sight, TELESCOPE, pointing, PHYSICS, plan).maps["counts"].values
+        counted = expected_counts(sight, TELESCOPE, pointing, PHYSICS, plan, refine=False)
+        return counted.maps["counts"].values
 
     reference = counts(24)
     errors = [np.sqrt(np.mean((counts(rays) / reference - 1) ** 2)) for rays in (1, 2, 4)]
@@ -78,7 +79,7 @@ def test_the_whole_sky_converges_to_second_order_in_the_rays(sight):
 def test_the_skyline_converges_faster_than_first_order(sight, at_target):
     def run(rays):
         plan = CountingPlan(rays_per_bar=rays)
-        return expected_counts(sight, TELESCOPE, at_target, PHYSICS, plan, wanted=())
+        return expected_counts(sight, TELESCOPE, at_target, PHYSICS, plan, wanted=(), refine=False)
 
     reference = run(16)
     known = np.isfinite(reference.maps["counts"].values)
@@ -151,7 +152,7 @@ def test_lesparres_formula_is_the_other_choice(sight, at_target):
     result = expected_counts(sight, TELESCOPE, at_target, PHYSICS, plan)
     exact = expected_counts(sight, TELESCOPE, at_target, PHYSICS, CountingPlan(sigma=2.0))
     rock = result.rock_share == 1
-    row, column = np.argwhere(rock & np.isfinite(result.maps["counts"].values))[0]
+    row, column = np.argwhere(rock & np.isfinite(result.maps["counts"].values))[-1]
     flux = result.maps["flux"].values[row, column]
     # Alone from the flux behind nine tenths of the rock in the middle, roughly.
     thickness = result.maps["thickness"].values[row, column]
@@ -168,7 +169,9 @@ def test_lesparres_formula_is_the_other_choice(sight, at_target):
 
 
 def test_merging_keeps_the_muons_and_sharpens_the_contrast(sight, at_target, counted):
-    merged = expected_counts(sight, TELESCOPE, at_target, PHYSICS, CountingPlan(merge=3))
+    plan = CountingPlan(merge=3)
+    merged = expected_counts(sight, TELESCOPE, at_target, PHYSICS, plan, refine=False)
+    counted = expected_counts(sight, TELESCOPE, at_target, PHYSICS, CountingPlan(), refine=False)
     assert merged.maps["counts"].values.shape == (5, 5)
     step = merged.maps["counts"].pixel_size
     np.testing.assert_allclose(step, 3 * TELESCOPE.step)
