@@ -336,7 +336,9 @@ def _region_numbers(found: Densities) -> np.ndarray:
 def _metadata(
     measured: Measurement, scene: Scene, choices: DensityChoices, mean: Mean
 ) -> dict[str, str | float]:
-    used = {key: value for key, value in describe_physics(scene.physics).items() if key != "DENSITY"}
+    used = {
+        key: value for key, value in describe_physics(scene.physics).items() if key != "DENSITY"
+    }
     return {
         **used,
         "MEASURED": measured.values.quantity,
