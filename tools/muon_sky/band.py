@@ -13,8 +13,8 @@ Added in quadrature, each a relative standard error:
 - above 100 GeV the share of kaons at large angles and the primaries near the knee: 4 % a
   decade.
 
-Sizes of the first two: Workman et al. (PDG) 2022, section 30.3.1; Grieder (2001), Cosmic
-Rays at Earth, Elsevier, sections 3.6 and 4.7.
+docs/physics.md lists the sizes of what moves the flux in time and place, and what these
+numbers were held against: spectra that took no part in the fit.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ ZENITH_DEG = np.array(
      89.1, 89.32, 89.5]
 )  # fmt: skip
 ENERGIES_GEV = np.concatenate(
-    [np.geomspace(0.25, 30, 20, endpoint=False), np.geomspace(30, 1e6, 20)]
+    [np.geomspace(0.25, 30, 19, endpoint=False), np.geomspace(30, 1e6, 25)]
 )
 
 
@@ -83,7 +83,9 @@ def write_table(path: Path, cascades: Cascades, fitted: Fit, notes: list[str]) -
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def interpolation_error(path: Path, cascades: Cascades, fitted: Fit) -> tuple[float, tuple[float, ...]]:
+def interpolation_error(
+    path: Path, cascades: Cascades, fitted: Fit
+) -> tuple[float, tuple[float, ...]]:
     """Return the largest relative error of a table halfway between its nodes, and where it is.
 
     The place is altitude in m, zenith angle in degrees and kinetic energy in GeV.

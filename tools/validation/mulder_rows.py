@@ -13,6 +13,7 @@ from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.spectra import differential_flux
 from muysc_qgis.radiography.transmission import attenuate
 
+from . import sky_rows
 from .row import Row
 from .terrain_rows import VESUVIUS, thickness_m
 
@@ -39,6 +40,7 @@ def rows(monte_carlo: bool = True) -> Iterator[Row]:
         return
     yield from _energy_loss(mulder)
     yield from _spectrum(mulder)
+    yield from sky_rows.altitude_rows(mulder)
     if monte_carlo:
         yield from _intensity(mulder)
     yield from _thickness(mulder)

@@ -19,6 +19,7 @@ from muysc_qgis.radiography.spectra import MODELS
 from muysc_qgis.radiography.transmission import attenuate
 from muysc_qgis.workflows.simulation import Telescope, simulate
 
+from . import mulder_rows, sky_plots
 from .row import Row
 from .terrain_rows import P1, VESUVIUS, Station
 
@@ -37,6 +38,8 @@ def save_all(folder: Path, rows: Sequence[Row]) -> list[Path]:
     angles = (0.0, 30.0, 60.0, 75.0, 85.0)
     comparison = compare(list(MODELS), angles, 500.0, Physics(), 0.0, materials)
     figures = {
+        "sky_measured": sky_plots.measured(),
+        "sky_altitude": sky_plots.altitude(mulder_rows.load()),
         "spectra": documents.spectrum_figure(comparison),
         "energy_loss": documents.loss_figure(comparison),
         "attenuation": documents.attenuation_figure(comparison),
@@ -118,7 +121,7 @@ def transport(rows: Sequence[Row]) -> Figure:
         flux = attenuate(depth * 1e5, np.array(90.0 - zenith), Physics(flux_model="guan")).flux
         left.plot(depth, flux / SECONDS_PER_DAY, line, color=style.INK, linewidth=1.2,
                   label=f"Guan et al., zenith {zenith:g}°")  # fmt: skip
-    for model in ("gaisser-tang", "guan", "reyna-bugaev"):
+    for model in ("gsf-sibyll", "gaisser-tang", "guan", "reyna-bugaev"):
         colour, _ = looks.MODEL_LOOKS[model]
         points = [
             row for row in rows
