@@ -19,11 +19,13 @@ from ..muysc_qgis.telescope.geometry import TelescopeGeometry
 from ..muysc_qgis.telescope.merging import check_merge
 from ..muysc_qgis.telescope.planning import ON_REQUEST, CountingPlan
 from ..muysc_qgis.topography.sight import Sight
+from ..muysc_qgis.topography.terrain_error import TerrainErrors
 from ..muysc_qgis.workflows.expected_counts import TelescopeCounts, expected_counts
 from ..muysc_qgis.workflows.simulation import check_range
+from ..muysc_qgis.workflows.thickness_error import error_of_trajectories
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_drawn
-from .outputs.rasters import raster_outputs
+from .outputs.rasters import raster_outputs, wanted
 from .outputs.trajectories import AXES, stage_trajectories, table_output
 from .parameters.physics import physics_parameters, read_physics
 from .parameters.telescope import (
@@ -35,6 +37,7 @@ from .parameters.telescope import (
     read_pointing,
 )
 from .parameters.terrain import dem_parameters, read_dem
+from .parameters.terrain_error import read_terrain_errors, terrain_error_parameters
 from .parameters.values import read_number, read_optional
 from .parameters.view import aperture_parameters, read_sight, sight_parameters
 
@@ -44,6 +47,7 @@ _OUTPUTS = {
     for name in (
         "counts", "exposure", "relative_error", "density_resolution", "contrast_days",
         "open_sky_counts", "flux", "thickness", "rock_share", "acceptance",
+        "thickness_error",
     )
 }  # fmt: skip
 
@@ -63,6 +67,7 @@ class _Inputs:
     plan: CountingPlan
     max_range_m: float | None
     near_field_m: float
+    errors: TerrainErrors
 
 
 class ExpectedCounts(MuyscAlgorithm):
@@ -97,6 +102,7 @@ class ExpectedCounts(MuyscAlgorithm):
             *geometry_parameters(),
             *pointing_parameters(),
             *plan_parameters(),
+            *terrain_error_parameters(),
             *physics_parameters(),
             *(one for one in aperture_parameters() if one.name() in _RANGE),
             *raster_outputs(_OUTPUTS, ("COUNTS",), AXES),
@@ -129,6 +135,7 @@ class ExpectedCounts(MuyscAlgorithm):
             plan,
             max_range,
             near_field,
+            read_terrain_errors(self, parameters, context),
         )
 
     def compute(
@@ -154,9 +161,17 @@ class ExpectedCounts(MuyscAlgorithm):
         )
         _say(feedback, counts, inputs)
         files = (inputs.sight.frame.dem.path,)
-        results = stage_trajectories(
-            self, _OUTPUTS, counts.maps, parameters, context, staging, files
-        )
+        maps = dict(counts.maps)
+        if wanted(parameters, "THICKNESS_ERROR"):
+            maps["thickness_error"] = error_of_trajectories(
+                inputs.sight,
+                maps["thickness"],
+                inputs.errors,
+                inputs.max_range_m,
+                inputs.near_field_m,
+                progress_of(feedback, 0.6, 0.7),
+            )
+        results = stage_trajectories(self, _OUTPUTS, maps, parameters, context, staging, files)
         results |= stage_drawn(
             self, lambda: _drawing().counts_panel(counts, inputs.name),
             lambda provenance: _drawing().counts_report(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from qgis.core import (
@@ -17,8 +17,10 @@ from ..muysc_qgis.radiography.aperture import Aperture
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.topography.sight import Sight
+from ..muysc_qgis.topography.terrain_error import TerrainErrors
 from ..muysc_qgis.workflows.flux_spread import with_flux_spread
 from ..muysc_qgis.workflows.simulation import Simulation, Telescope, check_range, simulate
+from ..muysc_qgis.workflows.thickness_error import error_of_rays
 from .base import MuyscAlgorithm, progress_of
 from .outputs.documents import document_outputs, stage_documents
 from .outputs.footprint import footprint_output, write_footprint
@@ -31,6 +33,7 @@ from .parameters.physics import (
     telescope_parameters,
 )
 from .parameters.terrain import dem_parameters, read_dem
+from .parameters.terrain_error import read_terrain_errors, terrain_error_parameters
 from .parameters.values import read_number, read_optional
 from .parameters.view import (
     aperture_parameters,
@@ -44,7 +47,7 @@ _OUTPUTS = {
     name.upper(): name
     for name in (
         "thickness", "opacity", "minimum_energy", "flux", "open_sky", "transmission", "exposure",
-        "distance", "flux_minimum", "flux_maximum",
+        "distance", "flux_minimum", "flux_maximum", "thickness_error",
     )
 }  # fmt: skip
 
@@ -61,6 +64,7 @@ class Inputs:
     near_field_m: float
     physics: Physics
     telescope: Telescope
+    errors: TerrainErrors = field(default_factory=TerrainErrors)
 
     def simulate(self, progress: Progress = silent) -> Simulation:
         """Simulate it.
@@ -109,6 +113,7 @@ class Radiography(MuyscAlgorithm):
             *aperture_parameters(),
             *physics_parameters(),
             *telescope_parameters(),
+            *terrain_error_parameters(),
             *raster_outputs(_OUTPUTS, always=("THICKNESS", "FLUX")),
             footprint_output(),
             *document_outputs(),
@@ -131,6 +136,7 @@ class Radiography(MuyscAlgorithm):
             near_field,
             read_physics(self, parameters, context),
             read_telescope(self, parameters, context),
+            read_terrain_errors(self, parameters, context),
         )
 
     def compute(
@@ -145,6 +151,8 @@ class Radiography(MuyscAlgorithm):
         simulation = inputs.simulate(progress_of(feedback, 0.0, 0.7))
         if wanted(parameters, "FLUX_MINIMUM", "FLUX_MAXIMUM"):
             simulation = with_flux_spread(simulation, inputs.physics)
+        if wanted(parameters, "THICKNESS_ERROR"):
+            simulation = _with_errors(simulation, inputs, progress_of(feedback, 0.7, 0.75))
         say(feedback, simulation, inputs.notes)
         files = (sight.frame.dem.path,)
         results = stage_muograms(
@@ -168,6 +176,19 @@ class Radiography(MuyscAlgorithm):
             self, simulation, sight, inputs.aperture, crs, parameters, context, staging
         )
         return results | _numbers(simulation, sight)
+
+
+def _with_errors(simulation: Simulation, inputs: Inputs, progress: Progress) -> Simulation:
+    """Add the errors of the thickness."""
+    error = error_of_rays(
+        inputs.sight,
+        simulation.muograms["thickness"],
+        inputs.errors,
+        inputs.max_range_m,
+        inputs.near_field_m,
+        progress,
+    )
+    return replace(simulation, muograms={**simulation.muograms, error.quantity: error})
 
 
 def _numbers(simulation: Simulation, sight: Sight) -> dict[str, float]:

@@ -336,9 +336,8 @@ def _region_numbers(found: Densities) -> np.ndarray:
 def _metadata(
     measured: Measurement, scene: Scene, choices: DensityChoices, mean: Mean
 ) -> dict[str, str | float]:
-    used = {
-        key: value for key, value in describe_physics(scene.physics).items() if key != "DENSITY"
-    }
+    physics = describe_physics(scene.physics)
+    used = {key: value for key, value in physics.items() if key != "DENSITY"}
     return {
         **used,
         "MEASURED": measured.values.quantity,

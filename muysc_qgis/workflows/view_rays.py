@@ -100,7 +100,8 @@ def see_through(
     if ground.detector is not None:
         detector = ground.detector
     elif {"DETECTOR_LON", "DETECTOR_LAT"} <= set(view.metadata):
-        detector = from_wgs84(dem.crs, view.number("DETECTOR_LON"), view.number("DETECTOR_LAT"))
+        place = view.number("DETECTOR_LON"), view.number("DETECTOR_LAT")
+        detector = from_wgs84(dem.crs, *place, dem.transformation)
     else:
         raise MuyscError(
             "Where the muons were counted is neither given nor in the muogram's metadata (keys "

@@ -23,6 +23,7 @@ from .styles import StyleOnLoad, write_style
 
 _HELP = {
     "thickness": "Length of each ray in rock, 0 in the sky.",
+    "thickness_error": "Standard error of the thickness from those of terrain and pointing.",
     "opacity": "Thickness times density, the mass per area that a muon has to cross.",
     "minimum_energy": "Kinetic energy of the slowest muons that get through.",
     "flux": "Integral flux of the muons that get through.",

@@ -59,6 +59,6 @@ def read_ground(
     dem, layer = read_dem(algorithm, parameters, context)
     point, notes = None, []
     if given(parameters, "DETECTOR"):
-        point, notes = read_point(algorithm, parameters, "DETECTOR", context, layer)
+        point, notes = read_point(algorithm, parameters, "DETECTOR", context, dem, layer)
     height = read_optional(algorithm, parameters, "DETECTOR_HEIGHT", context)
     return Ground(dem, point, height), notes

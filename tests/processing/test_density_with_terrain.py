@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 
-from muysc_qgis.muogram import Muogram, write_muogram
+from muysc_qgis.muogram import Muogram, read_muogram, write_muogram
 from muysc_qgis.trajectories import read_trajectories, write_trajectories
 from muysc_qgis.views import like
 
@@ -131,8 +131,6 @@ def test_a_muogram_of_azimuth_and_elevation_is_seen_through_its_pixels(run, meas
             "DENSITY": DENSITY, **MODEL, "FLUX": flux, "THICKNESS": str(tmp_path / "t.tif"),
         },
     )  # fmt: skip
-    from muysc_qgis.muogram import read_muogram
-
     one = read_muogram(flux)
     weight = np.cos(np.radians(one.elevation_deg))[:, None] * np.ones(one.values.shape)
 
@@ -179,3 +177,28 @@ def test_merged_trajectories_come_back(run, measure, dem, tmp_path):
         },
     )  # fmt: skip
     assert measure(COUNTS=path)["MEAN_DENSITY"] == pytest.approx(DENSITY, abs=1e-3)
+
+
+def test_the_error_of_the_thickness_grows_with_that_of_the_terrain(run, dem, tmp_path):
+    place = {
+        "DEM": dem, "DETECTOR": "14.410686,40.810561 [EPSG:4326]",
+        "TARGET": "14.424745,40.823729 [EPSG:4326]",
+    }  # fmt: skip
+    outputs = {name: str(tmp_path / f"{name}.tif") for name in ("THICKNESS", "THICKNESS_ERROR")}
+    pixels = {"AZIMUTH_PIXELS": 12, "ELEVATION_PIXELS": 10, "FLUX": str(tmp_path / "f.tif")}
+    errors = []
+    for metres in (2, 4):
+        results = run("radiography", {**place, **pixels, **outputs, "TERRAIN_ERROR": metres})
+        one = read_muogram(results["THICKNESS_ERROR"])
+        assert one.metadata["TERRAIN_ERROR"] == str(float(metres))
+        thickness = read_muogram(results["THICKNESS"]).values
+        errors.append(np.median(one.values[thickness > 0]))
+    assert errors[1] == pytest.approx(2 * errors[0], rel=0.2)
+    outputs["COUNTS"] = str(tmp_path / "c.tif")
+    telescope = {"PRESET": "custom", "BARS_X": 4, "BARS_Y": 4, "PIXEL_SIZE": 20, "SEPARATION": 200}
+    wide = []
+    for metres in (0, 50):
+        correlated = {**outputs, "TERRAIN_CORRELATION": metres}
+        results = run("expectedcounts", {**place, **telescope, **correlated})
+        wide.append(np.nanmedian(values(results["THICKNESS_ERROR"])))
+    assert wide[1] < 0.6 * wide[0]
