@@ -15,6 +15,7 @@ from .constants import G_CM2_PER_M_WATER_EQUIVALENT
 COLUMNS = {
     "spectra": (
         "model", "zenith_deg", "kinetic_energy_GeV", "flux_per_cm2_s_sr_GeV", "within_validity",
+        "relative_error",
     ),
     "fluxes": (
         "model", "zenith_deg", "thickness_m", "opacity_g_per_cm2", "minimum_energy_GeV",
@@ -54,7 +55,7 @@ def rows(comparison: Comparison, table: str) -> list[tuple[Cell, ...]]:
         return [
             (one.model, one.zenith_deg, *point)
             for one in comparison.spectra
-            for point in zip(one.kinetic_energy_gev, one.flux, map(int, one.holds))
+            for point in zip(one.kinetic_energy_gev, one.flux, map(int, one.holds), one.error)
         ]
     if table == "fluxes":
         return [point for pair in _flux_curves(comparison) for point in _flux_rows(*pair)]

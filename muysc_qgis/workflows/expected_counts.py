@@ -14,6 +14,7 @@ import numpy as np
 from ..forward.responses import TelescopeResponses
 from ..forward.sub_rays import SubRays, error_in_counting_errors
 from ..progress import Progress, part, report, silent
+from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.raytracing import Outcome
 from ..radiography.settings import Physics
 from ..telescope.acceptance import trajectories
@@ -32,7 +33,7 @@ from ..topography.sight import Sight
 from ..trajectories import TrajectoryMap, describe_telescope
 from .forward_model import converged, first_rays, trace_sub_rays
 from .measured import EXPECTED
-from .provenance import describe_physics, describe_sight
+from .provenance import describe_flux_error, describe_physics, describe_sight
 from .simulation import check_range, terrain_warnings
 
 #: Share of the progress bar when all rays are traced.
@@ -197,6 +198,13 @@ def expected_counts(
     metadata = {
         **describe_sight(sight, max_range_m, near_field_m),
         **describe_physics(physics),
+        **describe_flux_error(
+            muons[0],
+            rays.thickness_m * (physics.density * G_CM2_PER_M_WATER_EQUIVALENT),
+            rays.elevation_deg,
+            physics,
+            altitude,
+        ),
         **describe_telescope(geometry, formula),
         **_describe_aim(sight, pointing),
         **_describe_plan(plan),

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from ..radiography.envelope import typical_flux_error
 from ..radiography.settings import Physics
+from ..radiography.spectra import MODELS
+from ..radiography.transmission import Attenuation
 from ..topography.dem import Dem
 from ..topography.sight import Sight
 from ..views import View
@@ -64,6 +69,32 @@ def describe_physics(physics: Physics) -> dict[str, str | float]:
         "ALTITUDE_CORRECTION": "yes" if physics.altitude_correction else "no",
         "DETECTION_THRESHOLD": physics.threshold_gev,
     }
+
+
+def describe_flux_error(
+    muons: Attenuation,
+    opacity_g_cm2: np.ndarray,
+    elevation_deg: np.ndarray,
+    physics: Physics,
+    altitude_m: float,
+) -> dict[str, str | float]:
+    """Return the metadata that say how well the flux model knows what is behind the rock.
+
+    FLUX_ERROR, the median standard error in %, where the model has one of its own.
+
+    Parameters
+    ----------
+    muons
+        What came through.
+    opacity_g_cm2, elevation_deg, physics, altitude_m
+        As in `attenuate`.
+    """
+    if not MODELS[physics.flux_model].tabulated:
+        return {}
+    error = typical_flux_error(
+        muons.minimum_energy_gev, opacity_g_cm2, elevation_deg, physics, altitude_m
+    )
+    return {"FLUX_ERROR": 100.0 * error} if np.isfinite(error) else {}
 
 
 def altitude_of(view: View, physics: Physics, altitude_m: float | None = None) -> float:

@@ -19,10 +19,8 @@ from ..progress import Progress, part, report, silent
 from ..radiography.aperture import Aperture
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.counting import check_positive, exposure_days
-from ..radiography.envelope import typical_flux_error
 from ..radiography.raytracing import Outcome, RockPaths
 from ..radiography.settings import Physics
-from ..radiography.spectra import MODELS
 from ..radiography.transmission import attenuate
 from ..telescope.acceptance import Trajectories
 from ..telescope.directions import Pointing
@@ -30,7 +28,7 @@ from ..topography.footprint import Outline, aperture_outline, ground_seen
 from ..topography.sight import Sight
 from ..topography.tracing import trace_terrain
 from ..trajectories import describe_telescope
-from .provenance import altitude_of, describe_physics, describe_sight
+from .provenance import altitude_of, describe_flux_error, describe_physics, describe_sight
 
 #: What the log says of rays without a flux, by cause.
 _CAUSES = {
@@ -234,13 +232,10 @@ def through_rock(
     report(progress, 1.0)
     metadata: dict[str, str | float] = {
         **describe_physics(physics),
+        **describe_flux_error(muons, opacity, rock.elevation_deg[:, None], physics, altitude_m),
         "ACCEPTANCE": telescope.acceptance_cm2_sr,
         "MUONS": telescope.muons,
     }
-    if MODELS[physics.flux_model].tabulated:
-        metadata["FLUX_ERROR"] = 100.0 * typical_flux_error(
-            muons.minimum_energy_gev, opacity, rock.elevation_deg[:, None], physics, altitude_m
-        )
     if telescope.trajectories is not None:
         # The acceptance on the axis, and all that it takes to get the others.
         metadata["ACCEPTANCE"] = float(telescope.trajectories.acceptance_cm2_sr.max())

@@ -221,7 +221,7 @@ def test_a_region_of_one_pixel_is_a_pixel():
 
 
 def test_the_spread_of_the_models_encloses_each_that_holds():
-    there = scene()
+    there = scene(flux_model="gaisser-tang")
     seen = from_values(muons(there).flux, None, 0.95)
     spread = model_densities(seen, there)
     rock = there.rock

@@ -49,6 +49,6 @@ def test_the_map_has_every_candidate_within_and_the_sites_where_they_are(survey)
 def test_the_report_lists_every_site(survey):
     selection, plan = survey
     html = report_html(report(selection, plan, Provenance()))
-    for words in ("Site 3", "Telescope 2", "Nemhauser", "Kudryavtsev", "nearer than 1200 m"):
+    for words in ("Site 3", "Telescope 2", "Nemhauser", "Dembinski", "nearer than 1200 m"):
         assert words in html
     assert html.count("data:image/png;base64") == 2

@@ -67,7 +67,7 @@ def test_documented_intensities_are_within_their_noise_of_mulder(documented):
 
 def test_pictures_and_links_of_the_documentation_lead_somewhere(document):
     targets = re.findall(r"\]\((?!https?:|#)([^)#]+)", document)
-    assert len([target for target in targets if target.endswith(".png")]) == 7
+    assert len([target for target in targets if target.endswith(".png")]) == 9
     for target in targets:
         assert (table.DOCUMENT.parent / target).exists(), target
     anchors = {

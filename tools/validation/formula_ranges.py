@@ -12,22 +12,20 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterator
-from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from muysc_qgis.radiography.altitude import altitude_factor
 from muysc_qgis.radiography.constants import MUON_MASS_GEV
+from muysc_qgis.radiography.measured_spectra import Spectra, read_spectra, vertical_spectra
 from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.spectra import MODELS, differential_flux, kinetic_from_momentum
 from muysc_qgis.radiography.transmission import attenuate
 
 from .row import Row
+from .sky_rows import INCLINED
 
-DATA = Path(__file__).resolve().parents[2] / "tests" / "data"
 FORMULAS = ("gaisser", "gaisser-tang", "bugaev", "reyna-bugaev", "reyna-hebbeker", "guan")
 TOLERANCE = 0.15
 
@@ -54,41 +52,19 @@ STARTS_GEV = np.array([1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 286
 _HANDOVER_GEV = 50.0
 
 
-@dataclass(frozen=True)
-class Spectrum:
-    """Measured differential fluxes, cm⁻² s⁻¹ sr⁻¹ (GeV/c)⁻¹; arrays of one length."""
-
-    experiment: np.ndarray
-    altitude_m: np.ndarray
-    zenith_deg: np.ndarray
-    momentum_gev: np.ndarray
-    flux: np.ndarray
-
-    def where(self, chosen: np.ndarray) -> Spectrum:
-        """Return the points chosen."""
-        return Spectrum(*(values[chosen] for values in vars(self).values()))
-
-    def ratio(self, formula: str) -> np.ndarray:
-        """Return formula over measurement, the formula taken to the altitude."""
-        kinetic = kinetic_from_momentum(self.momentum_gev)
-        flux = differential_flux(kinetic, np.cos(np.radians(self.zenith_deg)), formula, "gaisser")
-        per_momentum = self.momentum_gev / np.hypot(self.momentum_gev, MUON_MASS_GEV)
-        # At most 450 m and nearly vertical, where the law of altitude holds.
-        higher = altitude_factor(self.momentum_gev, self.altitude_m)
-        return np.asarray(flux * per_momentum * higher / self.flux)
+def formula_ratio(points: Spectra, formula: str) -> np.ndarray:
+    """Return formula over measurement at each point, the formula taken to the altitude."""
+    kinetic = kinetic_from_momentum(points.momentum_gev)
+    flux = differential_flux(kinetic, np.cos(np.radians(points.zenith_deg)), formula, "gaisser")
+    per_momentum = points.momentum_gev / np.hypot(points.momentum_gev, MUON_MASS_GEV)
+    # At most 450 m and nearly vertical, where the law of altitude holds.
+    higher = altitude_factor(points.momentum_gev, points.altitude_m)
+    return np.asarray(flux * per_momentum * higher / points.flux)
 
 
-def measured(name: str) -> Spectrum:
-    """Read the measurements of a file in tests/data."""
-    with (DATA / f"muon_spectra_{name}.csv").open(encoding="utf-8") as file:
-        table = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    return Spectrum(
-        np.array([line["experiment"] for line in table]),
-        *(
-            np.array([float(line[key]) for line in table])
-            for key in ("altitude_m", "zenith_deg", "momentum_gev_c", "flux_cm2_s_sr_gev_c")
-        ),
-    )
+def measured(name: str) -> Spectra:
+    """Return the spectra named ``vertical`` or ``inclined``."""
+    return vertical_spectra() if name == "vertical" else read_spectra(INCLINED)
 
 
 def mean(ratio: np.ndarray) -> float:
@@ -103,7 +79,7 @@ def vertical_ratios(formula: str) -> np.ndarray:
     for low, high in zip(BANDS_GEV, BANDS_GEV[1:], strict=False):
         band = (points.momentum_gev >= low) & (points.momentum_gev < high)
         each = [
-            mean(points.where(band & (points.experiment == name)).ratio(formula))
+            mean(formula_ratio(points.where(band & (points.experiment == name)), formula))
             for name in np.unique(points.experiment[band])
         ]
         found.append(mean(np.array(each)))
@@ -121,7 +97,7 @@ def vertical_integral_ratio(formula: str, start_gev: float) -> float:
     grid = np.geomspace(start_gev, points.momentum_gev[-1], 2000)
     at = np.log(grid), np.log(points.momentum_gev)
     flux = np.exp(np.interp(*at, np.log(points.flux)))
-    by_formula = flux * np.exp(np.interp(*at, np.log(points.ratio(formula))))
+    by_formula = flux * np.exp(np.interp(*at, np.log(formula_ratio(points, formula))))
     steps = np.diff(np.log(grid))
     sums = [np.sum((y[1:] + y[:-1]) * steps) for y in (by_formula * grid, flux * grid)]
     return float(sums[0] / sums[1])
@@ -178,7 +154,7 @@ def rows() -> Iterator[Row]:
             where = "overhead" if zenith is None else f"zenith {zenith:g}°"
             yield Row(
                 section, f"{MODELS[formula].title} over {experiment}, {where}, {low:g} to "
-                f"{high:g} GeV/c", mean(points.where(chosen).ratio(formula)), "1", 1.0,
+                f"{high:g} GeV/c", mean(formula_ratio(points.where(chosen), formula)), "1", 1.0,
                 "tests/data/muon_spectra_" + ("vertical" if zenith is None else "inclined")
                 + ".csv, with its citations", None,
             )  # fmt: skip

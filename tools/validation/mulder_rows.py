@@ -66,7 +66,7 @@ def _energy_loss(mulder: ModuleType) -> Iterator[Row]:
     for length in (10.0, 300.0, 3000.0):
         yield _row(
             f"Minimum energy behind {length:g} m of standard rock",
-            float(minimum_energy(np.array(_ROCK * length), Physics())), "GeV",
+            float(minimum_energy(np.array(_ROCK * length), Physics(flux_model="guan"))), "GeV",
             float(np.ravel(rock.inverse_range(np.array([length])))[0]), "tables", 5e-3,
         )  # fmt: skip
 

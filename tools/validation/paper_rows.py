@@ -66,7 +66,9 @@ def _stated(
 
 
 def _minimum_energy() -> Iterator[Row]:
-    recipe = Physics(material="standard_rock", density_g_cm3=2.65, energy_loss="paper")
+    recipe = Physics(
+        material="standard_rock", density_g_cm3=2.65, flux_model="reyna-bugaev", energy_loss="paper"
+    )
     yield _stated(
         "Minimum energy behind 100 m of standard rock (paper)",
         float(minimum_energy(np.array(ROCK * 100.0), recipe)), "GeV", 68.97, 68.98,

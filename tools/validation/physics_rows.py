@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -114,14 +115,14 @@ def _energy_loss() -> Iterator[Row]:
         what = f"Polynomial over table, standard rock, {energy:g} GeV"
         yield Row(section, what, value, "1", expected, f"polynomial over {groom}", tolerance)
     for length, expected in ((100.0, 62.0), (500.0, 410.0), (1000.0, 1138.0), (2000.0, 4737.0)):
-        value = float(minimum_energy(np.array(ROCK * length), Physics()))
+        value = float(minimum_energy(np.array(ROCK * length), PAPER))
         what = f"Minimum energy behind {length:g} m of standard rock (csda)"
         yield Row(
             section, what, value, "GeV", expected, "range table of PUMAS, inverted apart", 5e-3
         )
     minimised = "minimum of (ϱ − E/S)², the recipe of the MUYSC paper"
     for length, expected in ((100.0, 68.98), (300.0, 281.0), (500.0, 721.0)):
-        value = float(minimum_energy(np.array(ROCK * length), Physics(energy_loss="paper")))
+        value = float(minimum_energy(np.array(ROCK * length), replace(PAPER, energy_loss="paper")))
         what = f"Minimum energy behind {length:g} m of standard rock (paper)"
         yield Row(section, what, value, "GeV", expected, minimised, 1e-3)
     law = range_law(energy_loss="paper")
