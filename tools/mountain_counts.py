@@ -21,6 +21,9 @@ from muysc_qgis.telescope.geometry import TelescopeGeometry
 #: Length of a step, how far is marched, and how far positions are fitted, m.
 STEP_M, REACH_M = 6.0, 4500.0
 
+#: Times as many sub-rays along a side where the sky begins.
+_FINER = 6
+
 #: Depth (m) of the ground below a step within which it may rise above it in between.
 _NEAR_M = 2.0
 
@@ -137,8 +140,7 @@ def expected(
     density: Density,
     physics: Physics,
     days: float,
-    efficiency: float = 1.0,
-    rays: int = 16,
+    rays: int = 8,
     seed: int = 0,
 ) -> np.ndarray:
     """Return μ of every trajectory, (2 N_y − 1, 2 N_x − 1); NaN where one reaches the horizon.
@@ -146,36 +148,54 @@ def expected(
     Parameters
     ----------
     rays
-        Sub-rays along a side of a cell between trajectories: four times as many squared in a
-        trajectory. Each is drawn within its share of the cell.
+        Sub-rays along a side of a cell between trajectories, each drawn within its share of it;
+        six times as many where it holds both rock and sky.
     seed
         What these draws start from.
     """
     generator = np.random.default_rng(seed)
-    geometry = site.geometry
-    step = geometry.step / rays
-    x = step * (np.arange(2 * geometry.bars_x * rays) + 0.5) - geometry.bars_x * geometry.step
-    y = geometry.bars_y * geometry.step - step * (np.arange(2 * geometry.bars_y * rays) + 0.5)
-    grid_x, grid_y = np.meshgrid(x, y)
-    grid_x = grid_x + step * generator.uniform(-0.5, 0.5, grid_x.shape)
-    grid_y = grid_y + step * generator.uniform(-0.5, 0.5, grid_x.shape)
-    azimuth, elevation = site.pointing.sky(grid_x, grid_y)
-    flux = np.full(grid_x.shape, np.nan)
-    above = elevation > 0.05
-    opacity = marched(site, terrain, azimuth[above], elevation[above], density)
-    flux[above] = _flux(opacity, elevation[above], physics, site.elevation_m)
-    obliquity = 1.0 / (1.0 + grid_x**2 + grid_y**2) ** 2
-    above, below = np.zeros((2, 2 * geometry.bars_y - 1, 2 * geometry.bars_x - 1))
-    for n in range(2 * geometry.bars_y - 1):
-        for m in range(2 * geometry.bars_x - 1):
-            part = np.s_[n * rays : (n + 2) * rays, m * rays : (m + 2) * rays]
-            across = np.abs(grid_x[part] / geometry.step + geometry.bars_x - 1 - m)
-            up = np.abs(grid_y[part] / geometry.step - geometry.bars_y + 1 + n)
-            response = (1 - across) * (1 - up) * obliquity[part]
-            above[n, m], below[n, m] = np.sum(response * flux[part]), np.sum(response)
-    means = above, below
-    collected = trajectories(geometry).acceptance_cm2_sr
-    return efficiency * collected * days * means[0] / means[1]
+    geometry, step = site.geometry, site.geometry.step
+    tall, wide = 2 * geometry.bars_y, 2 * geometry.bars_x
+    row, column = (one.ravel() for one in np.indices((tall, wide)))
+    cells = np.arange(tall * wide)
+    sums = np.zeros((2, tall - 1, wide - 1))
+    known = None
+    for finer in (1, _FINER):
+        count = rays * finer
+        grid = (np.indices((count, count)).reshape(2, 1, -1) + generator.uniform(
+            size=(2, len(cells), count**2)
+        )) / count  # fmt: skip
+        down, across = grid[0], grid[1]
+        x = (column[cells, None] - geometry.bars_x + across) * step
+        y = (geometry.bars_y - row[cells, None] - down) * step
+        azimuth, elevation = site.pointing.sky(x, y)
+        flux, rock = np.full(x.shape, np.nan), np.zeros(x.shape, bool)
+        above = elevation > 0.05
+        opacity = marched(site, terrain, azimuth[above], elevation[above], density)
+        flux[above] = _flux(opacity, elevation[above], physics, site.elevation_m)
+        rock[above] = opacity > 0
+        if known is None:
+            mixed = np.zeros((tall, wide), bool)
+            mixed[row, column] = rock.any(axis=1) & ~rock.all(axis=1) & above.all(axis=1)
+            wider = mixed.copy()
+            wider[1:] |= mixed[:-1]
+            wider[:-1] |= mixed[1:]
+            known = ~wider.ravel()
+            chosen = np.flatnonzero(known)
+        else:
+            chosen = np.arange(len(cells))
+        obliquity = 1.0 / (1.0 + x**2 + y**2) ** 2 / count**2
+        for lower in (0, 1):
+            for right in (0, 1):
+                response = (down if lower else 1 - down) * (across if right else 1 - across)
+                response = response * obliquity
+                i, j = row[cells[chosen]] + lower - 1, column[cells[chosen]] + right - 1
+                inside = (i >= 0) & (i < tall - 1) & (j >= 0) & (j < wide - 1)
+                for total, values in zip(sums, (response * flux, response)):
+                    part = values.sum(axis=1)[chosen]
+                    np.add.at(total, (i[inside], j[inside]), part[inside])
+        cells = np.flatnonzero(~known)
+    return trajectories(geometry).acceptance_cm2_sr * days * sums[0] / sums[1]
 
 
 def _flux(

@@ -219,7 +219,12 @@ def telescope_beams(
     low = np.asarray(matrices[0] @ (elevation < _LOWEST_DEG).astype(float)) > 0
     total = np.asarray(matrices[0].sum(axis=1)).ravel()
     scale = np.where(low, 0.0, 1.0 / np.where(total > 0, total, 1.0))
-    matrices = [sparse.diags(scale) @ one for one in matrices]
+    weights, *turns = (sparse.diags(scale) @ one for one in matrices)
+    # Turning changes what is seen, not how much is collected of an even sky.
+    drifts = (np.asarray(one.sum(axis=1)).ravel() for one in turns)
+    matrices = [
+        weights, *(one - sparse.diags(drift) @ weights for one, drift in zip(turns, drifts)),
+    ]  # fmt: skip
     if merge > 1:
         joined = _bins(acceptance, merge)
         matrices = [joined @ one for one in matrices]
@@ -289,9 +294,7 @@ def _bins(acceptance: np.ndarray, merge: int) -> Any:
     )
 
 
-def pixel_beams(
-    azimuth_deg: np.ndarray, elevation_deg: np.ndarray, nodes: int = 4
-) -> Beams:
+def pixel_beams(azimuth_deg: np.ndarray, elevation_deg: np.ndarray, nodes: int = 4) -> Beams:
     """Return the sub-rays of a muogram's pixels, each of which collects evenly over its face.
 
     Parameters

@@ -259,7 +259,8 @@ def _modelled(
         terrain, ground,
     )  # fmt: skip
     return CountLines(
-        lines, model, pixel, tuple(one.counts.shape for one in stations), rock_share[pixel],
+        lines, model, pixel, tuple((len(one.counts), one.counts.shape[1]) for one in stations),
+        rock_share[pixel],
         {cause: count for cause, count in lost.items() if count},
     )  # fmt: skip
 

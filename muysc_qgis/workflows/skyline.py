@@ -147,7 +147,8 @@ def split_columns(
                 from_bottom = (ends_at & ~starts_at)[chosen][:, None]
                 # y = t² from the skyline on, dy = 2 t dt.
                 part = np.where(
-                    from_top, 2 * share * part,
+                    from_top,
+                    2 * share * part,
                     np.where(from_bottom, 2 * (1 - share) * part, part),
                 )
                 share = np.where(

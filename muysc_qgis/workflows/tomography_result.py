@@ -168,7 +168,7 @@ def result_of(
             Place(one.name, *lines.frame.place(one.longitude, one.latitude), one.elevation_m)
             for one in lines.stations
         ),
-        target=_target(lines),
+        target=target_of(lines),
         residuals=tuple(_residuals(lines, system, residual)),
         relative_residual=_relative(residual, system.data),
         rays=len(system.data),
@@ -180,7 +180,7 @@ def result_of(
     )
 
 
-def _target(lines: Sightlines) -> Place | None:
+def target_of(lines: Sightlines) -> Place | None:
     """Return the middle of what the stations look at."""
     targets = [one.target for one in lines.stations if one.target is not None]
     if not targets:
