@@ -7,7 +7,7 @@ with the flux of `attenuate`, factors of stations and Poisson noise.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,6 +26,9 @@ _FINER = 6
 
 #: Depth (m) of the ground below a step within which it may rise above it in between.
 _NEAR_M = 2.0
+
+#: Lowest elevation of a sub-ray, degrees.
+_LOWEST_DEG = 0.05
 
 #: Rays marched at a time.
 _BLOCK = 1 << 12
@@ -68,10 +71,13 @@ class Terrain:
         return map_coordinates(self.height_m, [row, column], order=1, mode="nearest")
 
 
-def marched(
-    site: Site, terrain: Terrain, azimuth: np.ndarray, elevation: np.ndarray, density: Density
-) -> np.ndarray:
-    """Return opacities along rays, (n,), g/cm²."""
+def rock_pieces(
+    site: Site, terrain: Terrain, azimuth: np.ndarray, elevation: np.ndarray
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Yield pieces of rays in rock: which ray, (3, n) longitude, latitude, height, and length (m).
+
+    All pieces of a ray come together.
+    """
     from pyproj import CRS, Geod, Transformer
 
     local = CRS.from_proj4(
@@ -80,7 +86,7 @@ def marched(
     back = Transformer.from_crs(local, "EPSG:4326", always_xy=True)
     side = np.linspace(-REACH_M, REACH_M, 41)
     east, north = (one.ravel() for one in np.meshgrid(side, side))
-    powers = [(i, j) for i in range(5) for j in range(5 - i)]
+    powers = [(i, j) for i in range(3) for j in range(3 - i)]
 
     def terms(x: np.ndarray, y: np.ndarray) -> np.ndarray:
         return np.stack([(x / REACH_M) ** i * (y / REACH_M) ** j for i, j in powers], axis=-1)
@@ -93,7 +99,6 @@ def marched(
     radius = np.sqrt(geod.a**2 * (1 - geod.es) / curve**2)
     highest = float(terrain.height_m.max())
     slant = np.arange(0.0, REACH_M, STEP_M)
-    result = np.empty(len(azimuth))
     order = np.argsort(elevation)
     for first in range(0, len(azimuth), _BLOCK):
         some = order[first : first + _BLOCK]
@@ -128,22 +133,41 @@ def marched(
         # The telescope stands on the ground, not in it.
         share[:, steps[:-1] < 10.0] = 0.0
         ray, piece = np.nonzero(share)
-        middle = [0.5 * (one[ray, piece] + one[ray, piece + 1]) for one in (*lonlat, up)]
-        mass = share[ray, piece] * density(*middle) * (100.0 * STEP_M)
-        result[some] = np.bincount(ray, mass, len(some))
+        middle = np.stack([0.5 * (one[ray, piece] + one[ray, piece + 1]) for one in (*lonlat, up)])
+        yield some[ray], middle, STEP_M * share[ray, piece]
+
+
+def marched(
+    site: Site, terrain: Terrain, azimuth: np.ndarray, elevation: np.ndarray, density: Density
+) -> np.ndarray:
+    """Return opacities along rays, (n,), g/cm²."""
+    result = np.zeros(len(azimuth))
+    for ray, middle, length in rock_pieces(site, terrain, azimuth, elevation):
+        result += np.bincount(ray, 100.0 * length * density(*middle), len(azimuth))
     return result
 
 
-def expected(
-    site: Site,
-    terrain: Terrain,
-    density: Density,
-    physics: Physics,
-    days: float,
-    rays: int = 8,
-    seed: int = 0,
-) -> np.ndarray:
-    """Return μ of every trajectory, (2 N_y − 1, 2 N_x − 1); NaN where one reaches the horizon.
+@dataclass(frozen=True)
+class Drawn:
+    """Sub-rays of a telescope, and which share each has in which trajectory."""
+
+    azimuth_deg: np.ndarray
+    elevation_deg: np.ndarray
+    #: (4, n) number of the trajectory, −1 for none, and share of it before it is normalised.
+    trajectory: np.ndarray
+    share: np.ndarray
+    #: (n_trajectories,) sum of the shares, NaN where a part is below the horizon.
+    total: np.ndarray
+
+    def means(self, values: np.ndarray) -> np.ndarray:
+        """Return the mean of values of sub-rays over each trajectory."""
+        kept = self.trajectory >= 0
+        weighted = (self.share * values)[kept]
+        return np.bincount(self.trajectory[kept], weighted, len(self.total)) / self.total
+
+
+def draw(site: Site, terrain: Terrain, rays: int = 8, seed: int = 0) -> Drawn:
+    """Draw sub-rays.
 
     Parameters
     ----------
@@ -154,48 +178,82 @@ def expected(
         What these draws start from.
     """
     generator = np.random.default_rng(seed)
-    geometry, step = site.geometry, site.geometry.step
+    geometry = site.geometry
     tall, wide = 2 * geometry.bars_y, 2 * geometry.bars_x
     row, column = (one.ravel() for one in np.indices((tall, wide)))
     cells = np.arange(tall * wide)
-    sums = np.zeros((2, tall - 1, wide - 1))
-    known = None
-    for finer in (1, _FINER):
-        count = rays * finer
-        grid = (np.indices((count, count)).reshape(2, 1, -1) + generator.uniform(
+    total = np.zeros((tall - 1) * (wide - 1))
+    found: list[list[np.ndarray]] = [[], [], [], []]
+    for count in (rays, rays * _FINER):
+        down, across = (np.indices((count, count)).reshape(2, 1, -1) + generator.uniform(
             size=(2, len(cells), count**2)
         )) / count  # fmt: skip
-        down, across = grid[0], grid[1]
-        x = (column[cells, None] - geometry.bars_x + across) * step
-        y = (geometry.bars_y - row[cells, None] - down) * step
+        x = (column[cells, None] - geometry.bars_x + across) * geometry.step
+        y = (geometry.bars_y - row[cells, None] - down) * geometry.step
         azimuth, elevation = site.pointing.sky(x, y)
-        flux, rock = np.full(x.shape, np.nan), np.zeros(x.shape, bool)
-        above = elevation > 0.05
-        opacity = marched(site, terrain, azimuth[above], elevation[above], density)
-        flux[above] = _flux(opacity, elevation[above], physics, site.elevation_m)
-        rock[above] = opacity > 0
-        if known is None:
+        if count == rays:
+            hit = _meets(site, terrain, azimuth, elevation)
             mixed = np.zeros((tall, wide), bool)
-            mixed[row, column] = rock.any(axis=1) & ~rock.all(axis=1) & above.all(axis=1)
+            mixed[row, column] = hit.any(axis=1) & ~hit.all(axis=1)
             wider = mixed.copy()
             wider[1:] |= mixed[:-1]
             wider[:-1] |= mixed[1:]
-            known = ~wider.ravel()
-            chosen = np.flatnonzero(known)
+            chosen = np.flatnonzero(~wider.ravel())
         else:
             chosen = np.arange(len(cells))
         obliquity = 1.0 / (1.0 + x**2 + y**2) ** 2 / count**2
+        numbers, shares = [], []
         for lower in (0, 1):
             for right in (0, 1):
-                response = (down if lower else 1 - down) * (across if right else 1 - across)
-                response = response * obliquity
-                i, j = row[cells[chosen]] + lower - 1, column[cells[chosen]] + right - 1
+                i, j = row[cells] + lower - 1, column[cells] + right - 1
                 inside = (i >= 0) & (i < tall - 1) & (j >= 0) & (j < wide - 1)
-                for total, values in zip(sums, (response * flux, response)):
-                    part = values.sum(axis=1)[chosen]
-                    np.add.at(total, (i[inside], j[inside]), part[inside])
-        cells = np.flatnonzero(~known)
-    return trajectories(geometry).acceptance_cm2_sr * days * sums[0] / sums[1]
+                number = np.where(inside, i * (wide - 1) + j, -1)
+                numbers.append(np.broadcast_to(number[:, None], x.shape)[chosen].ravel())
+                share = (down if lower else 1 - down) * (across if right else 1 - across)
+                shares.append((share * obliquity)[chosen].ravel())
+        for part, one in zip(
+            found, (azimuth[chosen].ravel(), elevation[chosen].ravel(), numbers, shares)
+        ):
+            part.append(np.asarray(one))
+        if count == rays:
+            cells = np.flatnonzero(wider.ravel())
+    azimuth, elevation, number, share = (np.concatenate(one, axis=-1) for one in found)
+    kept = number >= 0
+    total = np.bincount(number[kept], share[kept], len(total))
+    low = np.broadcast_to(elevation < _LOWEST_DEG, number.shape) & kept
+    total[np.unique(number[low])] = np.nan
+    # What reaches below the horizon is not marched.
+    known = np.any(kept & np.isfinite(total[number]), axis=0)
+    return Drawn(azimuth[known], elevation[known], number[:, known], share[:, known], total)
+
+
+def _meets(site: Site, terrain: Terrain, azimuth: np.ndarray, elevation: np.ndarray) -> np.ndarray:
+    """Return which rays meet rock; below the horizon all do."""
+    above = elevation > _LOWEST_DEG
+    hit = np.ones(azimuth.shape, bool)
+    hit[above] = marched(site, terrain, azimuth[above], elevation[above], _one) > 0
+    return hit
+
+
+def _one(longitude: np.ndarray, latitude: np.ndarray, height: np.ndarray) -> np.ndarray:
+    return np.ones(len(height))
+
+
+def expected(
+    site: Site, terrain: Terrain, drawn: Drawn, density: Density, physics: Physics, days: float
+) -> np.ndarray:
+    """Return μ of every trajectory, (2 N_y − 1, 2 N_x − 1); NaN where one reaches the horizon."""
+    opacity = marched(site, terrain, drawn.azimuth_deg, drawn.elevation_deg, density)
+    return counted(site, drawn, opacity, physics, days)
+
+
+def counted(
+    site: Site, drawn: Drawn, opacity: np.ndarray, physics: Physics, days: float
+) -> np.ndarray:
+    """Return μ of every trajectory behind known opacities of its sub-rays, g/cm²."""
+    flux = _flux(opacity, np.maximum(drawn.elevation_deg, _LOWEST_DEG), physics, site.elevation_m)
+    collected = trajectories(site.geometry).acceptance_cm2_sr
+    return collected * days * drawn.means(flux).reshape(collected.shape)
 
 
 def _flux(

@@ -12,6 +12,7 @@ from ..radiography.settings import Physics
 from ..telescope.acceptance import FORMULAS, trajectories
 from ..telescope.geometry import TelescopeGeometry
 from ..telescope.merging import merge_sum
+from ..tomography.counting import COUNTS
 from ..trajectories import TrajectoryMap
 from ..views import metres_apart, require_quantity, require_same_directions
 from .count_lines import CountStation
@@ -52,6 +53,36 @@ def read_count_stations(
         require_quantity(one.view, ("counts",), one.name)
     matched = _matched(counts, acceptances)
     return [_station(one, own, physics) for one, own in zip(counts, matched)]
+
+
+def refuse_other_method(method: str, asked: bool, mask: bool) -> None:
+    """Refuse to read counts by a method that cannot.
+
+    Parameters
+    ----------
+    method
+        Chosen, or the default.
+    asked
+        Whether it was chosen.
+    mask
+        Whether voxels of air are known.
+
+    Raises
+    ------
+    MuyscError
+        If it is not `COUNTS`, or air is unknown.
+    """
+    if asked and method not in (COUNTS, "bayes"):
+        raise MuyscError(
+            f"The muograms hold counts, which {method} cannot read: pixels without a muon say no "
+            "opacity, and leaving them out would make thick rock look light; choose the method "
+            "counts, or make densities of merged pixels with Density from a measured muogram."
+        )
+    if not mask:
+        raise MuyscError(
+            "Counts are fitted where the terrain is known, and TERRAIN_MASK is off; switch it on, "
+            "or give muograms of density and another method."
+        )
 
 
 def _station(one: NamedView, acceptance: NamedView | None, physics: Physics | None) -> CountStation:

@@ -251,7 +251,7 @@ def _modelled(
     paths = projector_of(lines.paths, memory_bytes, progress)
     terrain, ground = None, None
     if terrain_length_m is not None:
-        terrain, ground = terrain_changes(lines, dem, len(thickness), terrain_length_m)
+        terrain, ground = terrain_changes(lines.stations, rock, lines, dem, terrain_length_m)
     rock_share = weights @ (np.nan_to_num(thickness) > 0).astype(float)
     model = CountModel(
         paths, lines.pixel, outside, weights[pixel], exposure[pixel], counts[pixel], view[pixel],

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..progress import Progress, part, silent
-from ..tomography.counting import Band, CountFit, CountPriors, fit_counts
+from ..tomography.counting import COUNTS, Band, CountFit, CountPriors, fit_counts
 from ..tomography.projector import MEMORY_LIMIT
 from ..tomography.solvers import Reconstruction
 from ..topography.dem import Dem
@@ -27,9 +27,6 @@ if TYPE_CHECKING:
     from pyproj import CRS
 
     from .volume_plan import VolumePlan
-
-#: Name of the method beside `tomography.solvers.METHODS`, and what it is.
-COUNTS, COUNTS_TITLE = "counts", "Counts, Gaussian prior and Poisson likelihood"
 
 #: Most steps, and most iterations within each.
 STEPS, INNER = 6, 300

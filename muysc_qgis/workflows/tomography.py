@@ -17,6 +17,7 @@ from ..errors import MuyscError
 from ..progress import Progress, part, report, silent
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.settings import MAXIMUM_DENSITY_G_CM3
+from ..tomography.counting import COUNTS
 from ..tomography.operators import Projector, projector_of
 from ..tomography.projector import MEMORY_LIMIT, Paths, check_memory
 from ..tomography.solvers import Options, method_of, reconstruct
@@ -55,7 +56,7 @@ class TomographyChoices:
         If there is no such method or a number is out of range.
     """
 
-    #: Key of `tomography.solvers.METHODS`.
+    #: Key of `tomography.solvers.METHODS`, or `COUNTS`.
     method: str = "bayes"
     options: Options = field(default_factory=Options)
     #: Density (g/cm³) of the rock outside the volume and of the start; None for the mean that the
@@ -71,7 +72,8 @@ class TomographyChoices:
     memory_bytes: int = MEMORY_LIMIT
 
     def __post_init__(self) -> None:
-        method_of(self.method)
+        if self.method != COUNTS:
+            method_of(self.method)
         density = self.reference_density
         if density is not None and not 0 < density <= MAXIMUM_DENSITY_G_CM3:
             raise MuyscError(
@@ -213,6 +215,11 @@ def reconstruct_volume(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
+    if choices.method == COUNTS:
+        raise MuyscError(
+            "The method counts fits rasters of counts, and opacities follow from these muograms; "
+            "choose rasters of counts, or another method such as bayes."
+        )
     _check_voxels(lines.grid, choices.memory_bytes, choices.method)
     known = ray_data(
         lines, choices.reference_density, choices.relative_error, choices.length_error_m

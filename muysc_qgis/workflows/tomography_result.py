@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from ..tomography.solvers import Reconstruction
+from ..tomography.counting import COUNTS, COUNTS_TITLE
+from ..tomography.solvers import METHODS, Reconstruction
 from ..tomography.system import System
 from ..tomography.voxels import VoxelGrid
 from ..volume import Volume
@@ -80,6 +81,11 @@ class Tomography:
     def grid(self) -> VoxelGrid:
         """The voxels in the CRS of the volume."""
         return self.density.grid
+
+    @property
+    def method_title(self) -> str:
+        """What the method is called in texts."""
+        return COUNTS_TITLE if self.method == COUNTS else METHODS[self.method].title
 
     @property
     def mean_density(self) -> float:

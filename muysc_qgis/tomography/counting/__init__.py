@@ -4,4 +4,15 @@ from .fit import CountFit, fit_counts
 from .model import CountModel
 from .priors import Band, CountPriors
 
-__all__ = ["Band", "CountFit", "CountModel", "CountPriors", "fit_counts"]
+#: Name of the method beside `tomography.solvers.METHODS`, and what it is.
+COUNTS, COUNTS_TITLE = "counts", "Fit of counts, Gaussian prior and Poisson likelihood"
+
+__all__ = [
+    "COUNTS",
+    "COUNTS_TITLE",
+    "Band",
+    "CountFit",
+    "CountModel",
+    "CountPriors",
+    "fit_counts",
+]
