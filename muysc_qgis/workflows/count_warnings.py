@@ -8,12 +8,7 @@ import numpy as np
 
 from ..tomography.counting import CountFit
 from .count_lines import CountLines, CountStation
-
-#: χ² per datum above which the model does not explain the counts.
-MOST_CHI_SQUARED = 1.5
-
-#: Densities (g/cm³) of rock, and the share of voxels beyond them that is worth a word.
-LEAST_DENSITY, MOST_DENSITY, _SHARE = 0.5, 3.5, 0.005
+from .tomography_result import MOST_CHI_SQUARED, beyond_rock
 
 #: Prior errors by which a number may be off its prior.
 _FAR = 3.0
@@ -48,7 +43,7 @@ def warnings_of(
         )
     if fit.chi_squared > MOST_CHI_SQUARED:
         said.append(_unexplained(stations, laid, fit))
-    said += _beyond(densities)
+    said += beyond_rock(densities)
     said += _far_off(stations, fit)
     share = 1 - laid.lines.inside_m.sum() / laid.lines.thickness_m.sum()
     if share > 0.5:
@@ -84,20 +79,6 @@ def _unexplained(stations: Sequence[CountStation], laid: CountLines, fit: CountF
         f"is perfect{of}); {100 * square[which].sum() / square.sum():.0f} % of it is from the "
         f"{int(which.sum())} trajectories {where}: {remedy}."
     )
-
-
-def _beyond(densities: np.ndarray) -> list[str]:
-    """Return the sentence on densities that no rock has."""
-    low, high = densities < LEAST_DENSITY, densities > MOST_DENSITY
-    share = float(np.mean(low | high)) if len(densities) else 0.0
-    if share <= _SHARE:
-        return []
-    return [
-        f"{100 * share:.2g} % of the voxels have densities beyond {LEAST_DENSITY} to "
-        f"{MOST_DENSITY} g/cm³ ({densities.min():.3g} to {densities.max():.3g}), which are those "
-        "of no rock: noise or a wrong terrain drives them; give a smaller deviation of the prior "
-        "(PRIOR_DEVIATION), a larger terrain error, or bounds."
-    ]
 
 
 def _far_off(stations: Sequence[CountStation], fit: CountFit) -> list[str]:

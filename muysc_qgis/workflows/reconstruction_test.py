@@ -165,10 +165,9 @@ def find_known_model(
         model.density * lines.inside_m + _contrast_along(lines, bodies, model.density, dem),
         model.density,
     )
-    seen, choices, muons = _observe(
-        lines, opacity, stations, aperture, physics, campaign, choices,
-        part(progress, 0.0, _COUNTED),
-    )  # fmt: skip
+    seen, muons = _observe(
+        lines, opacity, stations, aperture, physics, campaign, part(progress, 0.0, _COUNTED)
+    )
     found = reconstruct_volume(seen, choices, part(progress, _COUNTED, 1.0))
     values = found.density.values
     known = np.isfinite(values) & np.isfinite(truth)
@@ -235,16 +234,15 @@ def _observe(
     aperture: Aperture,
     physics: Physics,
     campaign: Campaign,
-    choices: TomographyChoices,
     progress: Progress,
-) -> tuple[Sightlines, TomographyChoices, float]:
-    """Return the lines with what is seen along them, fitting choices, and the muons counted."""
+) -> tuple[Sightlines, float]:
+    """Return the lines with what is seen along them, and the muons counted."""
     exact = [
         data.with_opacity(values, None)
         for data, values in zip(lines.stations, lines.per_pixel(opacity))
     ]
     if not campaign.noise:
-        return replace(lines, stations=tuple(exact)), choices, float("nan")
+        return replace(lines, stations=tuple(exact)), float("nan")
     generator = np.random.default_rng(campaign.seed)
     counted = [
         count_muons(
@@ -261,12 +259,8 @@ def _observe(
             f"No muon is counted behind the rock of the volume in {campaign.days:g} days; count "
             "longer, or use a larger acceptance or pixels."
         )
-    # Pixels of one region scatter together, so that the errors are reached earlier.
-    reached = choices.options.discrepancy * np.sqrt(sum(one.regions for one in counted) / pixels)
-    options = replace(choices.options, discrepancy=float(reached))
     return (
         replace(lines, stations=tuple(one.data for one in counted)),
-        replace(choices, options=options),
         sum(one.muons for one in counted),
     )
 

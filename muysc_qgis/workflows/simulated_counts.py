@@ -9,7 +9,7 @@ import numpy as np
 from ..errors import MuyscError
 from ..measurement.density import Densities, Flag, Scene, check_minimum, measure_density
 from ..measurement.observation import from_counts
-from ..measurement.regions import errors_of_pixels
+from ..measurement.regions import errors_of_pixels, shares_of_pixels
 from ..muogram import Muogram
 from ..progress import Progress, silent
 from ..radiography.aperture import Aperture
@@ -159,13 +159,14 @@ def count_muons(
     said = np.isin(found.flags, _SAID) & known
     opacity = np.where(said, found.opacity(view.values), np.nan)
     error = np.where(said, _errors(found, view.values), np.nan)
+    share = None if found.region is None else shares_of_pixels(found.region).ravel()
     lost = {
         FLAG_MEANINGS[flag]: (found.flags == flag).ravel() & ~np.isnan(thickness_m)
         for flag in Flag
         if flag not in _SAID
     }
     return Counted(
-        replace(data, opacity=opacity.ravel(), error=error.ravel(), lost=lost),
+        replace(data, opacity=opacity.ravel(), error=error.ravel(), share=share, lost=lost),
         float(np.nansum(counts)),
         int(np.count_nonzero(found.flags == Flag.MEASURED)),
         found.regions,

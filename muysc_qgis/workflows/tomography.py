@@ -28,7 +28,7 @@ from ..topography.frame import from_wgs84
 from .ray_data import ray_data
 from .sightlines import Sightlines, lay_sightlines
 from .station_data import RockSeen, StationData, rock_of_all
-from .tomography_result import Tomography, result_of
+from .tomography_result import Tomography, result_of, warnings_after
 from .volume_frame import VolumeFrame, projection_for
 from .volume_plan import VolumePlan, volume_grid
 
@@ -231,8 +231,11 @@ def reconstruct_volume(
     data = known.opacity / G_CM2_PER_M_WATER_EQUIVALENT - reference * lines.outside_m[used]
     errors = None if known.error is None else known.error / G_CM2_PER_M_WATER_EQUIVALENT
     system = System(projector, data, lines.lattice, paths.rays.view, errors)
+    options = _with_reference(choices.options, reference)
+    # Pixels of one measurement scatter together, so that its error is reached earlier.
+    reached = options.discrepancy * float(np.sqrt(known.share.mean()))
     found = reconstruct(
-        choices.method, system, _with_reference(choices.options, reference),
+        choices.method, system, replace(options, discrepancy=reached),
         part(progress, _BUILT, 1.0),
     )  # fmt: skip
     report(progress, 1.0)
@@ -247,7 +250,10 @@ def reconstruct_volume(
             "densities are smoother than data and prior say; give more iterations."
         )
     warnings += more
-    return result_of(lines, choices.method, system, found, reference, known.lost, warnings)
+    result = result_of(
+        lines, choices.method, system, found, reference, known.lost, warnings, known.share
+    )
+    return replace(result, warnings=(*result.warnings, *warnings_after(result)))
 
 
 def _check_voxels(grid: VoxelGrid, memory_bytes: int, method: str = "") -> None:
