@@ -1732,6 +1732,10 @@
       <translation>&lt;p&gt;&lt;b&gt;Tiempo.&lt;/b&gt; Los valores predeterminados responden en bastante menos de un minuto. Los vóxeles más finos que tienen sentido son los que dos rayos vecinos distinguen.&lt;/p&gt;</translation>
     </message>
     <message>
+      <source>&lt;p&gt;&lt;b&gt;Counts.&lt;/b&gt; With the method &lt;i&gt;counts&lt;/i&gt; each telescope counts along its own trajectories, as wide as they are, from finer sub-rays and voxels than those of the fit. Factors, boresights and terrain are off as their errors say. Several surveys are drawn, and the log ends in a verdict: how many standard errors the body is worth at its place and among all places, how often it is seen, how often one is seen where there is none, how much of its contrast is found, and how far off.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Conteos.&lt;/b&gt; Con el método &lt;i&gt;counts&lt;/i&gt; cada telescopio cuenta a lo largo de sus propias trayectorias, tan anchas como son, con subrayos y vóxeles más finos que los del ajuste. Factores, direcciones de apuntado y terreno se desvían según sus errores. Se sortean varias campañas, y el registro termina en un veredicto: cuántos errores estándar vale el cuerpo en su lugar y entre todos los lugares, cuántas veces se ve, cuántas veces se ve uno donde no lo hay, cuánto de su contraste se encuentra y a qué distancia.&lt;/p&gt;</translation>
+    </message>
+    <message>
       <source>Sites (empty: a ring around the target)</source>
       <translation>Sitios (vacío: un anillo alrededor del objetivo)</translation>
     </message>
@@ -2092,6 +2096,70 @@
       <translation>Indique cuántas veces bayes resuelve con datos sorteados, 1 o más, si se quiere el error de la densidad de más de 2000 rayos; n sorteos lo dan con un 71/√n %.</translation>
     </message>
     <message>
+      <source>Error of the reference density (g/cm³)</source>
+      <translation>Error de la densidad de referencia (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Give how far the mean density may be from the reference before any muon, in g/cm³, 0 or more; for counts, where it is estimated with the densities.</source>
+      <translation>Indique cuánto puede apartarse la densidad media de la referencia antes de cualquier muon, en g/cm³, 0 o más; para counts, que la estima con las densidades.</translation>
+    </message>
+    <message>
+      <source>Error of each station's counts (%)</source>
+      <translation>Error de los conteos de cada estación (%)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in %, of the factor between what a station counts and what acceptance, efficiency and days say, 0 or more; for counts, which estimate it.</source>
+      <translation>Indique el error estándar, en %, del factor entre lo que cuenta una estación y lo que dicen aceptancia, eficiencia y días, 0 o más; para counts, que lo estima.</translation>
+    </message>
+    <message>
+      <source>Error of the flux (%)</source>
+      <translation>Error del flujo (%)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in %, of the factor of the flux model that all stations share, 0 or more; for counts, which estimate it.</source>
+      <translation>Indique el error estándar, en %, del factor del modelo de flujo que comparten todas las estaciones, 0 o más; para counts, que lo estima.</translation>
+    </message>
+    <message>
+      <source>Error of the boresights (°)</source>
+      <translation>Error de las direcciones de apuntado (°)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in °, of azimuth and elevation of each boresight, 0 or more; for counts, which estimate both.</source>
+      <translation>Indique el error estándar, en °, del acimut y de la elevación de cada dirección de apuntado, 0 o más; para counts, que estima ambos.</translation>
+    </message>
+    <message>
+      <source>Error of the terrain's heights (m)</source>
+      <translation>Error de las alturas del terreno (m)</translation>
+    </message>
+    <message>
+      <source>Give the standard error of the elevation model's heights in m, 0 or more; for counts, which estimate where it is too high or too low. About 5 m for SRTM.</source>
+      <translation>Indique el error estándar de las alturas del modelo de elevación en m, 0 o más; para counts, que estima dónde es demasiado alto o bajo. Unos 5 m para SRTM.</translation>
+    </message>
+    <message>
+      <source>Distance over which terrain errors are alike (m)</source>
+      <translation>Distancia en la que los errores del terreno se parecen (m)</translation>
+    </message>
+    <message>
+      <source>Give the correlation length of the errors of the terrain's heights in m, above 0.</source>
+      <translation>Indique la longitud de correlación de los errores de las alturas del terreno en m, mayor que 0.</translation>
+    </message>
+    <message>
+      <source>Detection efficiency (%)</source>
+      <translation>Eficiencia de detección (%)</translation>
+    </message>
+    <message>
+      <source>Give the share of the muons that are counted, in %, above 0 and up to 100; for the method counts.</source>
+      <translation>Indique la proporción de los muones que se cuentan, en %, mayor que 0 y hasta 100; para el método counts.</translation>
+    </message>
+    <message>
+      <source>Surveys drawn</source>
+      <translation>Campañas sorteadas</translation>
+    </message>
+    <message>
+      <source>Give how many surveys are drawn for the verdict of the method counts, 1 to 1000; the densities are those of the first.</source>
+      <translation>Indique cuántas campañas se sortean para el veredicto del método counts, de 1 a 1000; las densidades son las de la primera.</translation>
+    </message>
+    <message>
       <source>Density (g/cm³)</source>
       <translation>Densidad (g/cm³)</translation>
     </message>
@@ -2230,6 +2298,30 @@
     <message>
       <source>Iterations done</source>
       <translation>Iteraciones hechas</translation>
+    </message>
+    <message>
+      <source>Standard errors of the body at its place</source>
+      <translation>Errores estándar del cuerpo en su lugar</translation>
+    </message>
+    <message>
+      <source>Standard errors of the body among all places</source>
+      <translation>Errores estándar del cuerpo entre todos los lugares</translation>
+    </message>
+    <message>
+      <source>Surveys that see the body (%)</source>
+      <translation>Campañas que ven el cuerpo (%)</translation>
+    </message>
+    <message>
+      <source>Surveys that see a body where there is none (%)</source>
+      <translation>Campañas que ven un cuerpo donde no lo hay (%)</translation>
+    </message>
+    <message>
+      <source>Standard deviation of the contrast over the surveys</source>
+      <translation>Desviación estándar del contraste entre las campañas</translation>
+    </message>
+    <message>
+      <source>Distance of the largest signal from the body (m)</source>
+      <translation>Distancia de la mayor señal al cuerpo (m)</translation>
     </message>
     <message>
       <source>Where to put the telescope</source>
@@ -2682,54 +2774,6 @@
     <message>
       <source>Rasters of acceptances in cm² sr on the pixels of counts, in any order; without one, that of the telescope or of the metadata (ACCEPTANCE) counts.</source>
       <translation>Rásteres de aceptancias en cm² sr en los píxeles de los conteos, en cualquier orden; sin uno, vale la del telescopio o la de los metadatos (ACCEPTANCE).</translation>
-    </message>
-    <message>
-      <source>Error of the reference density (g/cm³)</source>
-      <translation>Error de la densidad de referencia (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Give how far the mean density may be from the reference before any muon, in g/cm³, 0 or more; for counts, where it is estimated with the densities.</source>
-      <translation>Indique cuánto puede apartarse la densidad media de la referencia antes de cualquier muon, en g/cm³, 0 o más; para counts, que la estima con las densidades.</translation>
-    </message>
-    <message>
-      <source>Error of each station's counts (%)</source>
-      <translation>Error de los conteos de cada estación (%)</translation>
-    </message>
-    <message>
-      <source>Give the standard error, in %, of the factor between what a station counts and what acceptance, efficiency and days say, 0 or more; for counts, which estimate it.</source>
-      <translation>Indique el error estándar, en %, del factor entre lo que cuenta una estación y lo que dicen aceptancia, eficiencia y días, 0 o más; para counts, que lo estima.</translation>
-    </message>
-    <message>
-      <source>Error of the flux (%)</source>
-      <translation>Error del flujo (%)</translation>
-    </message>
-    <message>
-      <source>Give the standard error, in %, of the factor of the flux model that all stations share, 0 or more; for counts, which estimate it.</source>
-      <translation>Indique el error estándar, en %, del factor del modelo de flujo que comparten todas las estaciones, 0 o más; para counts, que lo estima.</translation>
-    </message>
-    <message>
-      <source>Error of the boresights (°)</source>
-      <translation>Error de las direcciones de apuntado (°)</translation>
-    </message>
-    <message>
-      <source>Give the standard error, in °, of azimuth and elevation of each boresight, 0 or more; for counts, which estimate both.</source>
-      <translation>Indique el error estándar, en °, del acimut y de la elevación de cada dirección de apuntado, 0 o más; para counts, que estima ambos.</translation>
-    </message>
-    <message>
-      <source>Error of the terrain's heights (m)</source>
-      <translation>Error de las alturas del terreno (m)</translation>
-    </message>
-    <message>
-      <source>Give the standard error of the elevation model's heights in m, 0 or more; for counts, which estimate where it is too high or too low. About 5 m for SRTM.</source>
-      <translation>Indique el error estándar de las alturas del modelo de elevación en m, 0 o más; para counts, que estima dónde es demasiado alto o bajo. Unos 5 m para SRTM.</translation>
-    </message>
-    <message>
-      <source>Distance over which terrain errors are alike (m)</source>
-      <translation>Distancia en la que los errores del terreno se parecen (m)</translation>
-    </message>
-    <message>
-      <source>Give the correlation length of the errors of the terrain's heights in m, above 0.</source>
-      <translation>Indique la longitud de correlación de los errores de las alturas del terreno en m, mayor que 0.</translation>
     </message>
     <message>
       <source>Line of a vertical section</source>

@@ -1,4 +1,4 @@
-"""Sub-rays through the trajectories of a telescope, and through the pixels of a muogram.
+"""Sub-rays through the trajectories of a telescope.
 
 The response of a trajectory falls linearly from its middle to zero at the middles of its
 neighbours (`telescope.quadrature`), so that a cell between four trajectories is seen by all of
@@ -22,13 +22,13 @@ from ..telescope.sky_table import grid_around
 from ..tomography.libraries import scipy_part
 from ..topography.frame import LocalFrame
 from ..topography.tracing import trace_terrain
-from .skyline import Skyline, skyline, split_columns
+from .skyline import Sky, Skyline, skyline, split_columns
 
 #: Nodes across a cell of sky, of rock, and of rock with a ridge.
 NODES = (2, 3, 8)
 
 #: Rays along a cell with which it is told which of these it is.
-_RAYS_PER_CELL = 6.0
+RAYS_PER_CELL = 6.0
 
 #: Share by which the rock of neighbouring rays may differ for the flux to be smooth.
 _ABRUPT = 0.3
@@ -37,10 +37,10 @@ _ABRUPT = 0.3
 _TURN_DEG = 0.05
 
 #: Degrees above the skyline from which on a sub-ray is not traced.
-_SURELY_SKY_DEG = 0.02
+SURELY_SKY_DEG = 0.02
 
 #: Lowest elevation of a sub-ray, degrees.
-_LOWEST_DEG = 0.05
+LOWEST_DEG = 0.05
 
 
 @dataclass(frozen=True)
@@ -100,15 +100,33 @@ def look_around(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    grid = grid_around(geometry, pointing, _RAYS_PER_CELL)
-    limits = (max_range_m, near_field_m, progress)
-    thickness = trace_terrain(
-        frame, eye_m, grid.azimuth_deg, grid.elevation_deg, *limits
-    ).thickness_m.T
+    grid = grid_around(geometry, pointing, RAYS_PER_CELL)
     azimuth, elevation = np.meshgrid(grid.azimuth_deg, grid.elevation_deg)
+    x, y = pointing.plane(azimuth.ravel(), elevation.ravel())
+    place = geometry.bars_y - y / geometry.step, geometry.bars_x + x / geometry.step
+    return cells_of(
+        grid.azimuth_deg, grid.elevation_deg, place, (2 * geometry.bars_y, 2 * geometry.bars_x),
+        (frame, eye_m), max_range_m, near_field_m, progress,
+    )  # fmt: skip
+
+
+def cells_of(
+    azimuth_deg: np.ndarray,
+    elevation_deg: np.ndarray,
+    place: tuple[np.ndarray, np.ndarray],
+    shape: tuple[int, int],
+    eye: tuple[LocalFrame, float],
+    max_range_m: float | None,
+    near_field_m: float,
+    progress: Progress,
+) -> Cells:
+    """Return what cells hold, from a grid of rays and the row and column that each is in."""
+    thickness = trace_terrain(
+        *eye, azimuth_deg, elevation_deg, max_range_m, near_field_m, progress
+    ).thickness_m.T
     # What is not known is rock.
     is_rock = ~(thickness == 0)
-    line = skyline(frame, eye_m, grid.azimuth_deg, grid.elevation_deg, is_rock, *limits)
+    line = skyline(*eye, azimuth_deg, elevation_deg, is_rock, max_range_m, near_field_m, progress)
     logarithm = np.log(np.maximum(thickness, 1.0))
     rough = np.zeros(is_rock.shape, bool)
     for axis in (0, 1):
@@ -118,17 +136,13 @@ def look_around(
         low[axis], high[axis] = slice(None, -1), slice(1, None)
         rough[tuple(low)] |= apart
         rough[tuple(high)] |= apart
-    x, y = pointing.plane(azimuth.ravel(), elevation.ravel())
-    shape = (2 * geometry.bars_y, 2 * geometry.bars_x)
     with np.errstate(invalid="ignore"):
-        row = np.floor(geometry.bars_y - y / geometry.step)
-        column = np.floor(geometry.bars_x + x / geometry.step)
+        row, column = (np.floor(one) for one in place)
         inside = (row >= 0) & (row < shape[0]) & (column >= 0) & (column < shape[1])
     cell = (row[inside] * shape[1] + column[inside]).astype(int)
-    number = shape[0] * shape[1]
 
     def any_of(values: np.ndarray) -> np.ndarray:
-        found = np.bincount(cell, values.ravel()[inside].astype(float), number) > 0
+        found = np.bincount(cell, values.ravel()[inside].astype(float), shape[0] * shape[1]) > 0
         return found.reshape(shape)
 
     # A ray stands for its neighbours too, between which a summit may rise.
@@ -155,6 +169,7 @@ def telescope_beams(
     cells: Cells,
     acceptance: np.ndarray,
     merge: int = 1,
+    finer: float = 1.0,
 ) -> Beams:
     """Return the sub-rays of a telescope's trajectories.
 
@@ -168,6 +183,8 @@ def telescope_beams(
         (2 N_y − 1, 2 N_x − 1) of the trajectories, by which those of a bin weigh.
     merge
         Trajectories along a side of a bin, odd.
+    finer
+        Times as many nodes along each side of a cell.
     """
     sparse = scipy_part("sparse")
     tall, wide = 2 * geometry.bars_y - 1, 2 * geometry.bars_x - 1
@@ -178,8 +195,8 @@ def telescope_beams(
     first = 0
     for kind in range(4):
         row, column = np.nonzero(cells.kinds == kind)
-        which, a, b, product = _nodes_of(
-            kind, geometry, pointing, cells.line, x_corner[column], y_corner[row]
+        which, a, b, product = nodes_of(
+            kind, pointing.sky, (step, step), cells.line, x_corner[column], y_corner[row], finer
         )
         i, j = row[which], column[which]
         x, y = x_corner[j] + step * a, y_corner[i] - step * b
@@ -190,7 +207,7 @@ def telescope_beams(
         parts[2].append(
             np.full(len(x), kind == 0)
             if kind < 3
-            else cells.line.above(azimuth, elevation) > _SURELY_SKY_DEG
+            else cells.line.above(azimuth, elevation) > SURELY_SKY_DEG
         )
         collected = product / (1.0 + x**2 + y**2) ** 2
         number = first + np.arange(len(x))
@@ -216,7 +233,7 @@ def telescope_beams(
     matrices = [sparse.csr_matrix((one, (datum, sub)), shape=shape) for one in values]
     azimuth, elevation, sky = (np.concatenate(one) for one in parts)
     # Below the horizon no flux is known: what reaches there says nothing.
-    low = np.asarray(matrices[0] @ (elevation < _LOWEST_DEG).astype(float)) > 0
+    low = np.asarray(matrices[0] @ (elevation < LOWEST_DEG).astype(float)) > 0
     total = np.asarray(matrices[0].sum(axis=1)).ravel()
     scale = np.where(low, 0.0, 1.0 / np.where(total > 0, total, 1.0))
     weights, *turns = (sparse.diags(scale) @ one for one in matrices)
@@ -231,22 +248,23 @@ def telescope_beams(
         lost = joined @ (scale == 0).astype(float) > 0
         matrices = [sparse.diags(np.where(lost, 0.0, 1.0)) @ one for one in matrices]
     return Beams(
-        azimuth, np.maximum(elevation, _LOWEST_DEG), sky, *(one.tocsr() for one in matrices)
+        azimuth, np.maximum(elevation, LOWEST_DEG), sky, *(one.tocsr() for one in matrices)
     )
 
 
-def _nodes_of(
+def nodes_of(
     kind: int,
-    geometry: TelescopeGeometry,
-    pointing: Pointing,
+    sky: Sky,
+    step: tuple[float, float],
     line: Skyline,
     left: np.ndarray,
     top: np.ndarray,
+    finer: float,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return cell, shares from left and top, and weight of the nodes in cells of one kind."""
     if kind == 3:
-        return split_columns(geometry, pointing, line, left, top)
-    node, weight = np.polynomial.legendre.leggauss(NODES[kind])
+        return split_columns(sky, step, line, left, top, finer)
+    node, weight = np.polynomial.legendre.leggauss(round(NODES[kind] * finer))
     share, weight = (node + 1) / 2, weight / 2
     across, down = (one.ravel() for one in np.meshgrid(share, share))
     product = (weight[:, None] * weight[None, :]).ravel()
@@ -292,62 +310,3 @@ def _bins(acceptance: np.ndarray, merge: int) -> Any:
     return sparse.csr_matrix(
         (values.ravel(), (which.ravel(), number.ravel())), shape=(total.size, acceptance.size)
     )
-
-
-def pixel_beams(azimuth_deg: np.ndarray, elevation_deg: np.ndarray, nodes: int = 4) -> Beams:
-    """Return the sub-rays of a muogram's pixels, each of which collects evenly over its face.
-
-    Parameters
-    ----------
-    azimuth_deg, elevation_deg
-        (n_azimuth,) and (n_elevation,) middles of the pixels, evenly spaced, in the order of
-        the raster.
-    nodes
-        Nodes across a pixel.
-    """
-    sparse = scipy_part("sparse")
-    node, weight = np.polynomial.legendre.leggauss(nodes)
-    share, weight = node / 2, weight / 2
-    wide, tall = len(azimuth_deg), len(elevation_deg)
-    step = [
-        float(axis[-1] - axis[0]) / (len(axis) - 1) if len(axis) > 1 else 1.0
-        for axis in (azimuth_deg, elevation_deg)
-    ]
-    azimuth = (azimuth_deg[:, None] + abs(step[0]) * share).ravel()
-    elevation = (elevation_deg[:, None] + abs(step[1]) * share).ravel()
-    number = np.arange(len(elevation) * len(azimuth))
-    row, column = np.divmod(number, len(azimuth))
-    datum = (row // nodes) * wide + column // nodes
-    value = weight[row % nodes] * weight[column % nodes] * np.cos(np.radians(elevation[row]))
-    low = elevation[row] < _LOWEST_DEG
-    lost = np.bincount(datum, low, wide * tall) > 0
-    total = np.bincount(datum, value, wide * tall)
-    value = np.where(lost[datum], 0.0, value / total[datum])
-    weights = sparse.csr_matrix((value, (datum, number)), shape=(wide * tall, len(number)))
-    turned = _differences(wide, tall, 1, step[0]) @ weights
-    tilted = _differences(wide, tall, 0, step[1]) @ weights
-    return Beams(
-        azimuth[column], np.maximum(elevation[row], _LOWEST_DEG), np.zeros(len(number), bool),
-        weights, turned.tocsr(), tilted.tocsr(),
-    )  # fmt: skip
-
-
-def _differences(wide: int, tall: int, axis: int, step: float) -> Any:
-    """Return central differences of a raster along an axis, one-sided at its rim."""
-    sparse = scipy_part("sparse")
-    count = wide if axis else tall
-    number = np.arange(count)
-    low, high = np.maximum(number - 1, 0), np.minimum(number + 1, count - 1)
-    value = 1.0 / (np.maximum(high - low, 1) * step)
-    one = sparse.csr_matrix(
-        (
-            np.concatenate([value, -value]),
-            (np.concatenate([number, number]), np.concatenate([high, low])),
-        ),
-        shape=(count, count),
-    )
-    pair = (sparse.identity(tall), one) if axis else (one, sparse.identity(wide))
-    return sparse.kron(*pair, format="csr")
-
-
-__all__ = ["NODES", "Beams", "Cells", "look_around", "pixel_beams", "telescope_beams"]

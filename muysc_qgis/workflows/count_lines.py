@@ -20,8 +20,9 @@ from ..tomography.operators import projector_of
 from ..tomography.projector import MEMORY_LIMIT
 from ..topography.dem import Dem
 from ..topography.frame import from_wgs84, local_frame
-from .beams import Beams, look_around, pixel_beams, telescope_beams
+from .beams import Beams, look_around, telescope_beams
 from .flux_table import FluxTable
+from .pixel_beams import look_at_pixels, pixel_beams
 from .sightlines import Sightlines
 from .station_data import RockSeen, StationData, rock_seen
 from .tomography import survey
@@ -106,8 +107,10 @@ class CountLines:
         return [one.reshape(shape) for one, shape in zip(parts, self.shapes)]
 
 
-def beams_of(station: CountStation, dem: Dem, progress: Progress = silent) -> Beams:
-    """Return the sub-rays of a station.
+def beams_of(
+    station: CountStation, dem: Dem, finer: float = 1.0, progress: Progress = silent
+) -> Beams:
+    """Return the sub-rays of a station, `finer` times as many along each side as are needed.
 
     Raises
     ------
@@ -116,21 +119,22 @@ def beams_of(station: CountStation, dem: Dem, progress: Progress = silent) -> Be
     Cancelled
         If the receiver of the progress asks for a stop.
     """
+    x, y = from_wgs84(dem.crs, station.longitude, station.latitude)
+    frame = local_frame(dem, x, y, f"detector of {station.name}")
+    eye = frame, station.elevation_m
+    limits = station.max_range_m, station.near_field_m
     if station.trajectories is not None and station.pointing is not None:
         geometry = station.trajectories.geometry
-        x, y = from_wgs84(dem.crs, station.longitude, station.latitude)
-        frame = local_frame(dem, x, y, f"detector of {station.name}")
-        cells = look_around(
-            geometry, station.pointing, frame, station.elevation_m, station.max_range_m,
-            station.near_field_m, progress,
-        )  # fmt: skip
+        cells = look_around(geometry, station.pointing, *eye, *limits, progress=progress)
         return telescope_beams(
             geometry, station.pointing, cells, station.trajectories.acceptance_cm2_sr,
-            station.merge,
+            station.merge, finer,
         )  # fmt: skip
-    if station.azimuth_deg is None or station.elevation_deg is None:
+    azimuth, elevation = station.azimuth_deg, station.elevation_deg
+    if azimuth is None or elevation is None:
         raise MuyscError(f"{station.name} has no directions; give a telescope or a muogram's.")
-    return pixel_beams(station.azimuth_deg, station.elevation_deg)
+    cells = look_at_pixels(azimuth, elevation, *eye, *limits, progress=progress)
+    return pixel_beams(azimuth, elevation, cells, finer)
 
 
 def rock_of_beams(
@@ -166,6 +170,7 @@ def lay_counts(
     length_error_m: float = 0.0,
     terrain_length_m: float | None = None,
     memory_bytes: int = MEMORY_LIMIT,
+    finer: float = 1.0,
     progress: Progress = silent,
 ) -> CountLines:
     """Return what several stations count as a function of the densities of a volume.
@@ -180,6 +185,8 @@ def lay_counts(
         Error of the lengths in rock that trajectories do not share, m.
     terrain_length_m
         Distance (m) over which errors of the terrain are alike; None where it is known.
+    finer
+        Times as many sub-rays along each side of a trajectory as a fit needs.
     progress
         Told the share done.
 
@@ -193,7 +200,7 @@ def lay_counts(
     beams, bare, rock = [], [], []
     for number, station in enumerate(stations):
         share = part(progress, 0.5 * number / len(stations), 0.5 * (number + 1) / len(stations))
-        own = beams_of(station, dem, part(share, 0.0, 0.1))
+        own = beams_of(station, dem, finer, part(share, 0.0, 0.1))
         data, seen = rock_of_beams(station, own, dem, part(share, 0.1, 1.0))
         beams.append(own)
         bare.append(data)
@@ -294,6 +301,22 @@ def _flux_of(stations: Sequence[CountStation], beams: Sequence[Beams]) -> _Fluxe
             )
         )  # fmt: skip
     return _Fluxes(tuple(tables), tuple(own.elevation_deg for own in beams))
+
+
+def taken(laid: CountLines, which: np.ndarray) -> CountLines:
+    """Return some of the data, by their numbers."""
+    model = laid.model
+    return replace(
+        laid,
+        pixel=laid.pixel[which],
+        rock_share=laid.rock_share[which],
+        model=replace(
+            model, weights=model.weights[which], exposure=model.exposure[which],
+            counts=model.counts[which], station=model.station[which],
+            turned=None if model.turned is None else model.turned[which],
+            tilted=None if model.tilted is None else model.tilted[which],
+        ),
+    )  # fmt: skip
 
 
 def with_counts(laid: CountLines, counts: np.ndarray) -> CountLines:

@@ -100,7 +100,7 @@ def count_tomography(
     laid = lay_counts(
         stations, dem, plan, crs, choices.length_error_m,
         priors.terrain_length_m if priors.terrain_m > 0 else None, choices.memory_bytes,
-        part(progress, 0.0, 0.6),
+        progress=part(progress, 0.0, 0.6),
     )  # fmt: skip
     return fit_laid(stations, laid, choices, part(progress, 0.6, 1.0))
 

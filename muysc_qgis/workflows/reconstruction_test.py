@@ -38,6 +38,8 @@ from .volume_plan import VolumePlan
 if TYPE_CHECKING:
     from pyproj import CRS
 
+    from .survey_verdict import Verdict
+
 #: Voxels of the known model along one of the volume's, and the most of them.
 _FINER, _MOST_FINE = 2, 32_000_000
 
@@ -74,6 +76,8 @@ class KnownModelResult:
     bias: float
     #: Muons counted by all stations; NaN without noise.
     muons: float
+    #: Over several draws, of the method counts; None of others.
+    verdict: Verdict | None = None
 
     @property
     def contrast(self) -> float:
@@ -160,7 +164,7 @@ def find_known_model(
     bodies = model.bodies(lines.frame, metric)
     density, shares = density_in(metric, bodies, model.density)
     truth = _truth(lines, density, dem)
-    _check_bodies(bodies, shares, truth, lines)
+    check_bodies(bodies, shares, truth, lines)
     opacity = lines.opacity(
         model.density * lines.inside_m + _contrast_along(lines, bodies, model.density, dem),
         model.density,
@@ -169,6 +173,29 @@ def find_known_model(
         lines, opacity, stations, aperture, physics, campaign, part(progress, 0.0, _COUNTED)
     )
     found = reconstruct_volume(seen, choices, part(progress, _COUNTED, 1.0))
+    return known_result(found, truth, bodies, shares, muons)
+
+
+def known_result(
+    found: Tomography,
+    truth: np.ndarray,
+    bodies: Sequence[PlacedBody],
+    shares: Sequence[np.ndarray],
+    muons: float,
+) -> KnownModelResult:
+    """Return how near a tomography is to what was to be found.
+
+    Parameters
+    ----------
+    found
+        The tomography.
+    truth
+        (east, north, up) g/cm³, NaN where there is no unknown.
+    bodies, shares
+        What is in the rock, and which share of each voxel.
+    muons
+        Muons counted.
+    """
     values = found.density.values
     known = np.isfinite(values) & np.isfinite(truth)
     off = values[known] - truth[known]
@@ -192,12 +219,19 @@ def _truth(lines: Sightlines, density: np.ndarray, dem: Dem) -> np.ndarray:
     return density * rock_fraction(lines.paths.grid, ground)
 
 
-def _check_bodies(
+def check_bodies(
     bodies: Sequence[PlacedBody],
     shares: Sequence[np.ndarray],
     truth: np.ndarray,
     lines: Sightlines,
 ) -> None:
+    """Refuse a body that is outside the rock of the volume.
+
+    Raises
+    ------
+    MuyscError
+        If one is.
+    """
     grid = lines.grid
     for body, share in zip(bodies, shares):
         if not np.any(share[np.nan_to_num(truth) > 0] > 0):

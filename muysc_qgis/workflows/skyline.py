@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..progress import Progress, silent
-from ..telescope.directions import Pointing
-from ..telescope.geometry import TelescopeGeometry
 from ..topography.frame import LocalFrame
 from ..topography.tracing import trace_terrain
 
@@ -17,6 +16,9 @@ _HALVINGS = 8
 
 #: Points along a column at which it is looked for the skyline, and the most crossings.
 _POINTS, _CROSSINGS = 17, 2
+
+#: Azimuth and elevation in degrees of places across and up.
+Sky = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 #: Nodes of quadrature across a cell, and along a part of a column in rock and in the sky.
 ACROSS, IN_ROCK, IN_SKY = 10, 8, 3
@@ -82,11 +84,12 @@ def skyline(
 
 
 def split_columns(
-    geometry: TelescopeGeometry,
-    pointing: Pointing,
+    sky: Sky,
+    step: tuple[float, float],
     line: Skyline,
     left: np.ndarray,
     top: np.ndarray,
+    finer: float = 1.0,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return nodes of quadrature in cells that the skyline crosses.
 
@@ -96,12 +99,16 @@ def split_columns(
 
     Parameters
     ----------
-    geometry, pointing
-        The telescope.
+    sky
+        Azimuth and elevation in degrees of places across and up, such as `Pointing.sky`.
+    step
+        Width and height of a cell.
     line
         Where the sky begins.
     left, top
-        (n_cell,) tangents of the cells' left and upper sides.
+        (n_cell,) places of the cells' left and upper sides.
+    finer
+        Times as many nodes along each side.
 
     Returns
     -------
@@ -109,17 +116,14 @@ def split_columns(
         Number of the cell, shares from the left and from the top, and weights of the nodes,
         which add up to 1 in each cell.
     """
-    step = geometry.step
-    node, weight = _nodes(ACROSS)
-    cell = np.repeat(np.arange(len(left)), ACROSS)
+    node, weight = _nodes(round(ACROSS * finer))
+    cell = np.repeat(np.arange(len(left)), len(node))
     across = np.tile(node, len(left))
     width = np.tile(weight, len(left))
     # 0 at the top of the cell and 1 at its bottom.
     down = np.linspace(0.0, 1.0, _POINTS)
     height = line.above(
-        *pointing.sky(
-            (left[cell] + step * across)[:, None], top[cell][:, None] - step * down[None, :]
-        )
+        *sky((left[cell] + step[0] * across)[:, None], top[cell][:, None] - step[1] * down[None, :])
     )
     ends = np.ones((len(cell), _CROSSINGS + 2))
     ends[:, 0] = 0.0
@@ -134,11 +138,12 @@ def split_columns(
     found = []
     for number in range(_CROSSINGS + 1):
         begin, end = ends[:, number], ends[:, number + 1]
-        sky = is_sky[:, 0] if number % 2 == 0 else ~is_sky[:, 0]
+        of_sky = is_sky[:, 0] if number % 2 == 0 else ~is_sky[:, 0]
         # A part in rock ends at the skyline above it, below it, or at both.
         starts_at, ends_at = begin > 0, end < 1
         for kind, count in (("sky", IN_SKY), ("rock", IN_ROCK)):
-            chosen = np.flatnonzero((end > begin) & (sky == (kind == "sky")))
+            chosen = np.flatnonzero((end > begin) & (of_sky == (kind == "sky")))
+            count = round(count * finer)
             share, part = _nodes(count)
             share = np.broadcast_to(share, (len(chosen), count))
             part = np.broadcast_to(part, (len(chosen), count))

@@ -54,6 +54,8 @@ _ONLY_FOR: dict[str, dict[str, tuple[str, ...]]] = {
         "EDGE_DENSITY": ("pml-hybrid", "ospml-hybrid"),
         "PRIOR_DEVIATION": ("bayes", COUNTS),
         "CORRELATION_LENGTH": ("bayes", COUNTS),
+        "EFFICIENCY": (COUNTS,),
+        "DRAWS": (COUNTS,),
         "MEAN_DEVIATION": (COUNTS,),
         "STATION_ERROR": (COUNTS,),
         "FLUX_ERROR": (COUNTS,),

@@ -13,8 +13,9 @@ from muysc_qgis.telescope.quadrature import trajectory_means
 from muysc_qgis.topography.frame import from_wgs84
 from muysc_qgis.topography.sight import take_sight
 from muysc_qgis.topography.tracing import trace_terrain
-from muysc_qgis.workflows.beams import look_around, pixel_beams, telescope_beams
+from muysc_qgis.workflows.beams import look_around, telescope_beams
 from muysc_qgis.workflows.flux_table import FluxTable
+from muysc_qgis.workflows.pixel_beams import look_at_pixels, pixel_beams
 
 GEOMETRY = TelescopeGeometry(6, 5, 5.0, 60.0)
 ROCK = 2.65
@@ -98,14 +99,32 @@ def test_bins_are_the_means_of_their_trajectories(sight):
     assert merged.weights @ values == pytest.approx(expected.ravel())
 
 
-def test_pixels_of_a_muogram_collect_evenly():
+def test_pixels_of_a_muogram_collect_evenly(sight):
     azimuth, elevation = np.linspace(-10, 10, 5), np.linspace(40, 10, 4)
-    beams = pixel_beams(azimuth, elevation)
+    cells = look_at_pixels(azimuth, elevation, sight.frame, sight.detector_elevation_m)
+    beams = pixel_beams(azimuth, elevation, cells)
+    assert set(np.unique(cells.kinds)) >= {0, 1, 3}
     assert np.asarray(beams.weights.sum(axis=1)).ravel() == pytest.approx(1)
     middle = (beams.weights @ beams.azimuth_deg).reshape(4, 5)
     assert middle == pytest.approx(np.broadcast_to(azimuth, (4, 5)))
     assert (beams.turned @ beams.azimuth_deg) == pytest.approx(1.0)
     assert (beams.tilted @ beams.elevation_deg) == pytest.approx(1.0, abs=0.02)
+
+
+def test_pixels_at_the_skyline_have_the_flux_of_many_rays(sight):
+    azimuth, elevation = np.linspace(-15, 15, 7), np.linspace(30, 6, 9)
+    cells = look_at_pixels(azimuth, elevation, sight.frame, sight.detector_elevation_m)
+    beams = pixel_beams(azimuth, elevation, cells)
+    found = beams.weights @ flux_along(sight, beams.azimuth_deg, beams.elevation_deg)
+    fine = [
+        (axis[:, None] + abs(axis[1] - axis[0]) * ((np.arange(60) + 0.5) / 60 - 0.5)).ravel()
+        for axis in (azimuth, elevation)
+    ]
+    grid = [one.ravel() for one in np.meshgrid(*fine)]
+    flux = flux_along(sight, *grid).reshape(9, 60, 7, 60)
+    weight = np.cos(np.radians(grid[1])).reshape(flux.shape)
+    dense = (flux * weight).sum(axis=(1, 3)) / weight.sum(axis=(1, 3))
+    assert found == pytest.approx(dense.ravel(), rel=0.03)
 
 
 @pytest.mark.parametrize("altitude", [0.0, 1200.0])

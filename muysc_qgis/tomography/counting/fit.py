@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,12 @@ _HALVINGS = 6
 #: Relative accuracy of the solution of each step, of the last digits that matter, and of
 #: what only errors follow from.
 _ACCURACY, _ROUGH = 1e-4, 1e-2
+
+#: Largest change of ln μ by factors and boresights.
+_FAR = 20.0
+
+#: Deviation (g/cm³) of voxels that have none, and iterations that suffice then.
+_NO_DEVIATION, _UNIFORM_ITERATIONS = 1e-5, 100
 
 #: Random vectors from which the number of parameters that the data settle is estimated.
 _PROBES = 2
@@ -117,31 +123,44 @@ def fit_counts(
     search = _Search.of(model, priors)
     if errors:
         Posterior.check(model.size)
-    fitting = part(progress, 0.0, 0.4 if errors else 0.85)
-    state = search.state(
-        [np.zeros(size) for size in search.sizes], np.zeros(len(search.nuisances.names))
+    state, history, done, total, converged = search.run(
+        steps, inner, part(progress, 0.0, 0.4 if errors else 0.85)
     )
-    history = [search.misfit(state)]
-    solution, total, converged, finished = None, 0, False, True
-    done = 0
-    for done in range(1, steps + 1):
-        space = search.space(state)
-        wanted = (model.counts - state.expected) / np.sqrt(state.variance)
-        wanted += space.predicted(state.fields, state.others)
-        share = part(fitting, (done - 1) / steps, done / steps)
-        solution, iterations, finished = space.solve(wanted, inner, _ACCURACY, solution, share)
-        total += iterations
-        following = search.step(state, space, solution)
-        moved = np.log(following.expected / state.expected) * np.sqrt(state.expected)
-        state = following
-        history.append(search.misfit(state))
-        if np.sqrt(np.mean(moved**2)) < _SETTLED:
-            converged = True
-            break
     return search.told(
-        state, history, done, total, converged and finished, errors, inner,
+        state, history, done, total, converged, errors, inner,
         part(progress, 0.4 if errors else 0.85, 1.0),
     )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Uniform:
+    """A mountain of one density that explains counts as well as it can, with all else uncertain."""
+
+    #: All that is uncertain but the densities of voxels.
+    space: DataSpace
+    #: (n_data,) counts less what the prior expects, over their errors, linear about what was found.
+    residual: np.ndarray
+    #: (n_data, n_unknowns) CSR: the counts' derivatives over densities, over their errors.
+    voxels: Any
+
+
+def fit_uniform(model: CountModel, priors: CountPriors, steps: int = 5) -> Uniform:
+    """Return the uniform mountain that counts and priors make most likely.
+
+    Parameters
+    ----------
+    model, priors
+        As in `fit_counts`; the deviation of voxels is left out.
+    steps
+        Most steps.
+    """
+    search = _Search.of(model, replace(priors, deviation=_NO_DEVIATION))
+    state = search.run(steps, _UNIFORM_ITERATIONS, silent)[0]
+    space = search.space(state)
+    voxels, *fields = space.fields
+    residual = (model.counts - state.expected) / np.sqrt(state.variance)
+    residual += space.predicted(state.fields, state.others)
+    return Uniform(replace(space, fields=fields), residual, voxels.jacobian)
 
 
 @dataclass(frozen=True)
@@ -181,6 +200,30 @@ class _Search:
             sizes.append(self.model.terrain.shape[1])
         return sizes
 
+    def run(
+        self, steps: int, inner: int, progress: Progress
+    ) -> tuple[_State, list[float], int, int, bool]:
+        """Return where the steps end, the misfits, steps, iterations, and whether they sufficed."""
+        state = self.state(
+            [np.zeros(size) for size in self.sizes], np.zeros(len(self.nuisances.names))
+        )
+        history = [self.misfit(state)]
+        solution, total, done = None, 0, 0
+        for done in range(1, steps + 1):
+            space = self.space(state)
+            wanted = (self.model.counts - state.expected) / np.sqrt(state.variance)
+            wanted += space.predicted(state.fields, state.others)
+            share = part(progress, (done - 1) / steps, done / steps)
+            solution, iterations, finished = space.solve(wanted, inner, _ACCURACY, solution, share)
+            total += iterations
+            following = self.step(state, space, solution)
+            moved = np.log(following.expected / state.expected) * np.sqrt(state.expected)
+            state = following
+            history.append(self.misfit(state))
+            if np.sqrt(np.mean(moved**2)) < _SETTLED:
+                return state, history, done, total, finished
+        return state, history, done, total, False
+
     def densities(self, fields: Sequence[np.ndarray], others: np.ndarray) -> Any:
         """Return the densities within bounds, the mean, and the derivative of the densities."""
         mean = self.priors.mean + others[0]
@@ -196,11 +239,12 @@ class _Search:
         effect = self.nuisances.effect(columns, others)
         if self.has_terrain:
             effect = effect + line.terrain @ fields[1]
-        expected = np.maximum(line.expected * np.exp(effect), 1e-12)
+        expected = np.maximum(line.expected * np.exp(np.clip(effect, -_FAR, _FAR)), 1e-12)
         relative = line.length_error**2
         if self.drawn is not None:
-            # Half the square of what the terrain changes is what a linear effect of it misses.
-            relative = relative + (0.5 * np.mean((line.terrain @ self.drawn) ** 2, axis=1)) ** 2
+            # A linear effect g z of the terrain misses up to (g z)² in ln μ where the share of sky
+            # in a trajectory changes with it.
+            relative = relative + np.mean((line.terrain @ self.drawn) ** 2, axis=1) ** 2
         variance = expected + expected**2 * relative
         return _State(fields, others, line, bend, columns, expected, variance)
 

@@ -99,14 +99,14 @@ class Posterior:
         prior = field.deviation**2 + mean
         result = np.empty(field.lattice.count)
         for chosen, rows in _blocks(field, progress):
-            half = self._solved(rows + shared)
+            half = self.solved(rows + shared)
             result[chosen] = prior - np.sum(half**2, axis=0)
         return bend * np.sqrt(np.maximum(result, 0.0))
 
     def others(self) -> np.ndarray:
         """Return the standard errors of the single numbers."""
         deviations = self.space.deviations
-        half = self._solved(self.space.columns * deviations)
+        half = self.solved(self.space.columns * deviations)
         return deviations * np.sqrt(np.maximum(1.0 - np.sum(half**2, axis=0), 0.0))
 
     def parameters(self) -> float:
@@ -116,9 +116,9 @@ class Posterior:
         """
         generator = np.random.default_rng(0)
         noise = generator.choice([-1.0, 1.0], (self.space.size, _PROBES))
-        return float(self.space.size - np.sum(self._solved(noise) ** 2) / _PROBES)
+        return float(self.space.size - np.sum(self.solved(noise) ** 2) / _PROBES)
 
-    def _solved(self, columns: np.ndarray) -> np.ndarray:
+    def solved(self, columns: np.ndarray) -> np.ndarray:
         """Return L⁻¹ columns."""
         linalg: Any = scipy_part("linalg")
         return np.asarray(
