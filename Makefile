@@ -69,8 +69,9 @@ screenshots: document-packages ## Take the pictures of the user guide, into docs
 validation: .venv/ready ## Compare our numbers with others', into build/validation and docs
 	@$(VENV_PYTHON) -m tools.validation
 
-experiments: .venv/ready ## Reconstruct known mountains beside the paper's figures (ARGS=--quick)
+experiments: .venv/ready ## Reconstruct known mountains beside the truth (ARGS=--quick)
 	@$(VENV_PYTHON) -m tools.experiments $(ARGS)
+	@$(VENV_PYTHON) -m tools.count_experiments $(ARGS)
 
 matrix: ## Run the tests on QGIS 3.22, 3.40 and 3.44 (ARGS="--only sid", or for pytest)
 	@$(PYTHON) tools/matrix.py $(ARGS)

@@ -1732,6 +1732,10 @@
       <translation>&lt;p&gt;&lt;b&gt;Tiempo.&lt;/b&gt; Los valores predeterminados responden en bastante menos de un minuto. Los vóxeles más finos que tienen sentido son los que dos rayos vecinos distinguen.&lt;/p&gt;</translation>
     </message>
     <message>
+      <source>&lt;p&gt;&lt;b&gt;Counts.&lt;/b&gt; With the method &lt;i&gt;counts&lt;/i&gt; each telescope counts along its own trajectories, as wide as they are, from finer sub-rays and voxels than those of the fit. Factors, boresights and terrain are off as their errors say. Several surveys are drawn, and the log ends in a verdict: how many standard errors the body is worth at its place and among all places, how often it is seen, how often one is seen where there is none, how much of its contrast is found, and how far off.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Conteos.&lt;/b&gt; Con el método &lt;i&gt;counts&lt;/i&gt; cada telescopio cuenta a lo largo de sus propias trayectorias, tan anchas como son, con subrayos y vóxeles más finos que los del ajuste. Factores, direcciones de apuntado y terreno se desvían según sus errores. Se sortean varias campañas, y el registro termina en un veredicto: cuántos errores estándar vale el cuerpo en su lugar y entre todos los lugares, cuántas veces se ve, cuántas veces se ve uno donde no lo hay, cuánto de su contraste se encuentra y a qué distancia.&lt;/p&gt;</translation>
+    </message>
+    <message>
       <source>Sites (empty: a ring around the target)</source>
       <translation>Sitios (vacío: un anillo alrededor del objetivo)</translation>
     </message>
@@ -1972,8 +1976,8 @@
       <translation>Método</translation>
     </message>
     <message>
-      <source>How densities are found. art: ART (Kaczmarz); bart: ART by blocks; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: Penalised likelihood, quadratic; pml-hybrid: Penalised likelihood, hybrid; ospml-quad: Penalised likelihood by subsets, quadratic; ospml-hybrid: Penalised likelihood by subsets, hybrid; tv: Total variation; grad: Gradient descent; tikhonov: Tikhonov; lsmr: Damped LSMR; bayes: Bayesian, Gaussian prior. Those of the family art and sirt follow the data alone; pml, tv, grad, tikhonov and lsmr prefer smooth models, tv with sharp edges; bayes weighs data against a prior and tells its errors.</source>
-      <translation>Cómo se buscan las densidades. art: ART (Kaczmarz); bart: ART por bloques; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: verosimilitud penalizada, cuadrática; pml-hybrid: verosimilitud penalizada, híbrida; ospml-quad: verosimilitud penalizada por subconjuntos, cuadrática; ospml-hybrid: verosimilitud penalizada por subconjuntos, híbrida; tv: variación total; grad: descenso por gradiente; tikhonov: Tikhonov; lsmr: LSMR amortiguado; bayes: bayesiano, conocimiento previo gaussiano. Los de la familia de art y sirt siguen solo los datos; pml, tv, grad, tikhonov y lsmr prefieren modelos suaves, tv con bordes nítidos; bayes pondera los datos frente a un conocimiento previo y dice sus errores.</translation>
+      <source>How densities are found. art: ART (Kaczmarz); bart: ART by blocks; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: Penalised likelihood, quadratic; pml-hybrid: Penalised likelihood, hybrid; ospml-quad: Penalised likelihood by subsets, quadratic; ospml-hybrid: Penalised likelihood by subsets, hybrid; tv: Total variation; grad: Gradient descent; tikhonov: Tikhonov; lsmr: Damped LSMR; bayes: Bayesian, Gaussian prior; counts: Fit of counts, Gaussian prior and Poisson likelihood. Those of the family art and sirt follow the data alone; pml, tv, grad, tikhonov and lsmr prefer smooth models, tv with sharp edges; bayes weighs data against a prior and tells its errors; counts does so for rasters of counts, with trajectories as wide as they are and pixels without a muon.</source>
+      <translation>Cómo se buscan las densidades. art: ART (Kaczmarz); bart: ART por bloques; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: verosimilitud penalizada, cuadrática; pml-hybrid: verosimilitud penalizada, híbrida; ospml-quad: verosimilitud penalizada por subconjuntos, cuadrática; ospml-hybrid: verosimilitud penalizada por subconjuntos, híbrida; tv: variación total; grad: descenso por gradiente; tikhonov: Tikhonov; lsmr: LSMR amortiguado; bayes: bayesiano, conocimiento previo gaussiano; counts: ajuste de conteos, conocimiento previo gaussiano y verosimilitud de Poisson. Los de la familia de art y sirt siguen solo los datos; pml, tv, grad, tikhonov y lsmr prefieren modelos suaves, tv con bordes nítidos; bayes pondera los datos frente a un conocimiento previo y dice sus errores; counts lo hace con rásteres de conteos, con trayectorias tan anchas como son y píxeles sin ningún muon.</translation>
     </message>
     <message>
       <source>Iterations (empty: the method's own)</source>
@@ -2072,16 +2076,16 @@
       <translation>Desviación estándar del conocimiento previo (g/cm³)</translation>
     </message>
     <message>
-      <source>Give how far densities are from the reference before any muon, in g/cm³, above 0; for bayes.</source>
-      <translation>Indique cuánto se apartan las densidades de la referencia antes de cualquier muon, en g/cm³, mayor que 0; para bayes.</translation>
+      <source>Give how far densities are from the reference before any muon, in g/cm³, above 0; for bayes and counts.</source>
+      <translation>Indique cuánto se apartan las densidades de la referencia antes de cualquier muon, en g/cm³, mayor que 0; para bayes y counts.</translation>
     </message>
     <message>
       <source>Correlation length of the prior (m)</source>
       <translation>Longitud de correlación del conocimiento previo (m)</translation>
     </message>
     <message>
-      <source>Give the distance in m, above 0, over which densities are alike; for bayes.</source>
-      <translation>Indique la distancia en m, mayor que 0, en la que las densidades se parecen; para bayes.</translation>
+      <source>Give the distance in m, above 0, over which densities are alike; for bayes and counts.</source>
+      <translation>Indique la distancia en m, mayor que 0, en la que las densidades se parecen; para bayes y counts.</translation>
     </message>
     <message>
       <source>Draws for the error of the density</source>
@@ -2090,6 +2094,70 @@
     <message>
       <source>Give how often bayes solves for drawn data, 1 or more, where the error of the density is wanted from more than 2000 rays; n draws tell it to 71/√n %.</source>
       <translation>Indique cuántas veces bayes resuelve con datos sorteados, 1 o más, si se quiere el error de la densidad de más de 2000 rayos; n sorteos lo dan con un 71/√n %.</translation>
+    </message>
+    <message>
+      <source>Error of the reference density (g/cm³)</source>
+      <translation>Error de la densidad de referencia (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Give how far the mean density may be from the reference before any muon, in g/cm³, 0 or more; for counts, where it is estimated with the densities.</source>
+      <translation>Indique cuánto puede apartarse la densidad media de la referencia antes de cualquier muon, en g/cm³, 0 o más; para counts, que la estima con las densidades.</translation>
+    </message>
+    <message>
+      <source>Error of each station's counts (%)</source>
+      <translation>Error de los conteos de cada estación (%)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in %, of the factor between what a station counts and what acceptance, efficiency and days say, 0 or more; for counts, which estimate it.</source>
+      <translation>Indique el error estándar, en %, del factor entre lo que cuenta una estación y lo que dicen aceptancia, eficiencia y días, 0 o más; para counts, que lo estima.</translation>
+    </message>
+    <message>
+      <source>Error of the flux (%)</source>
+      <translation>Error del flujo (%)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in %, of the factor of the flux model that all stations share, 0 or more; for counts, which estimate it.</source>
+      <translation>Indique el error estándar, en %, del factor del modelo de flujo que comparten todas las estaciones, 0 o más; para counts, que lo estima.</translation>
+    </message>
+    <message>
+      <source>Error of the boresights (°)</source>
+      <translation>Error de las direcciones de apuntado (°)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in °, of azimuth and elevation of each boresight, 0 or more; for counts, which estimate both.</source>
+      <translation>Indique el error estándar, en °, del acimut y de la elevación de cada dirección de apuntado, 0 o más; para counts, que estima ambos.</translation>
+    </message>
+    <message>
+      <source>Error of the terrain's heights (m)</source>
+      <translation>Error de las alturas del terreno (m)</translation>
+    </message>
+    <message>
+      <source>Give the standard error of the elevation model's heights in m, 0 or more; for counts, which estimate where it is too high or too low. About 5 m for SRTM.</source>
+      <translation>Indique el error estándar de las alturas del modelo de elevación en m, 0 o más; para counts, que estima dónde es demasiado alto o bajo. Unos 5 m para SRTM.</translation>
+    </message>
+    <message>
+      <source>Distance over which terrain errors are alike (m)</source>
+      <translation>Distancia en la que los errores del terreno se parecen (m)</translation>
+    </message>
+    <message>
+      <source>Give the correlation length of the errors of the terrain's heights in m, above 0.</source>
+      <translation>Indique la longitud de correlación de los errores de las alturas del terreno en m, mayor que 0.</translation>
+    </message>
+    <message>
+      <source>Detection efficiency (%)</source>
+      <translation>Eficiencia de detección (%)</translation>
+    </message>
+    <message>
+      <source>Give the share of the muons that are counted, in %, above 0 and up to 100; for the method counts.</source>
+      <translation>Indique la proporción de los muones que se cuentan, en %, mayor que 0 y hasta 100; para el método counts.</translation>
+    </message>
+    <message>
+      <source>Surveys drawn</source>
+      <translation>Campañas sorteadas</translation>
+    </message>
+    <message>
+      <source>Give how many surveys are drawn for the verdict of the method counts, 1 to 1000; the densities are those of the first.</source>
+      <translation>Indique cuántas campañas se sortean para el veredicto del método counts, de 1 a 1000; las densidades son las de la primera.</translation>
     </message>
     <message>
       <source>Density (g/cm³)</source>
@@ -2112,8 +2180,8 @@
       <translation>Error de la densidad (g/cm³)</translation>
     </message>
     <message>
-      <source>Standard error of each density, of the method bayes. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
-      <translation>Error estándar de cada densidad, del método bayes. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
+      <source>Standard error of each density, of the methods bayes and counts. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
+      <translation>Error estándar de cada densidad, de los métodos bayes y counts. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
     </message>
     <message>
       <source>Voxels as points</source>
@@ -2230,6 +2298,30 @@
     <message>
       <source>Iterations done</source>
       <translation>Iteraciones hechas</translation>
+    </message>
+    <message>
+      <source>Standard errors of the body at its place</source>
+      <translation>Errores estándar del cuerpo en su lugar</translation>
+    </message>
+    <message>
+      <source>Standard errors of the body among all places</source>
+      <translation>Errores estándar del cuerpo entre todos los lugares</translation>
+    </message>
+    <message>
+      <source>Surveys that see the body (%)</source>
+      <translation>Campañas que ven el cuerpo (%)</translation>
+    </message>
+    <message>
+      <source>Surveys that see a body where there is none (%)</source>
+      <translation>Campañas que ven un cuerpo donde no lo hay (%)</translation>
+    </message>
+    <message>
+      <source>Standard deviation of the contrast over the surveys</source>
+      <translation>Desviación estándar del contraste entre las campañas</translation>
+    </message>
+    <message>
+      <source>Distance of the largest signal from the body (m)</source>
+      <translation>Distancia de la mayor señal al cuerpo (m)</translation>
     </message>
     <message>
       <source>Where to put the telescope</source>
@@ -2632,8 +2724,12 @@
       <translation>&lt;p&gt;&lt;b&gt;Qué se necesita.&lt;/b&gt; Muogramas de una misma magnitud, y el modelo de elevación sobre el que se vieron. La &lt;b&gt;densidad&lt;/b&gt; (de &lt;i&gt;Densidad a partir de un muograma medido&lt;/i&gt;), la &lt;b&gt;opacidad&lt;/b&gt;, el &lt;b&gt;flujo&lt;/b&gt; o la &lt;b&gt;transmisión&lt;/b&gt; muestran el interior de la montaña; flujo y transmisión se convierten en opacidad con la física que nombran los archivos. El &lt;b&gt;espesor&lt;/b&gt; muestra solo su forma. Los rásteres de errores se reconocen por detector y direcciones. Sin ellos se supone un error en porcentaje. Cuantos más lados miren las estaciones, mejor: una estación sola no distingue la roca cercana de la lejana.&lt;/p&gt;</translation>
     </message>
     <message>
-      <source>&lt;p&gt;&lt;b&gt;What it does.&lt;/b&gt; Each pixel is a straight ray along its middle, so pixels wider than a voxel blur the result. Its lengths in the voxels are exact, cut off where the terrain begins and ends, with the Earth's curvature and the true north and scale of the projection. Voxels of air are no unknowns. Rock on the ray outside the volume is taken off at the reference density. Then the method finds the densities whose integrals along the rays are the opacities.&lt;/p&gt;</source>
-      <translation>&lt;p&gt;&lt;b&gt;Qué hace.&lt;/b&gt; Cada píxel es un rayo recto por su centro, así que los píxeles más anchos que un vóxel desdibujan el resultado. Sus longitudes en los vóxeles son exactas, cortadas donde el terreno comienza y termina, con la curvatura de la Tierra y el norte y la escala verdaderos de la proyección. Los vóxeles de aire no son incógnitas. La roca del rayo fuera del volumen se descuenta con la densidad de referencia. Luego el método busca las densidades cuyas integrales a lo largo de los rayos son las opacidades.&lt;/p&gt;</translation>
+      <source>&lt;p&gt;&lt;b&gt;Counts.&lt;/b&gt; Rasters of &lt;b&gt;counts&lt;/b&gt; are fitted as they are (method &lt;i&gt;counts&lt;/i&gt;): each trajectory as wide as it is, with its telescope, days and efficiency from the file, and pixels without a muon as data. What is not known exactly is estimated with the densities, and told with its error: a factor for each station and for the flux, the mean density, each boresight, and the heights of the terrain. This is the way from a telescope to densities; densities of single pixels lose what the thin part of a wide trajectory lets through. Other methods do not read counts.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Conteos.&lt;/b&gt; Los rásteres de &lt;b&gt;conteos&lt;/b&gt; se ajustan tal como son (método &lt;i&gt;counts&lt;/i&gt;): cada trayectoria tan ancha como es, con el telescopio, los días y la eficiencia del archivo, y los píxeles sin ningún muon como datos. Lo que no se conoce exactamente se estima con las densidades y se dice con su error: un factor por estación y otro del flujo, la densidad media, cada dirección de apuntado y las alturas del terreno. Este es el camino de un telescopio a las densidades; las densidades de píxeles sueltos pierden lo que deja pasar la parte delgada de una trayectoria ancha. Los demás métodos no leen conteos.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;What it does.&lt;/b&gt; With counts, straight sub-rays fill each trajectory; of other quantities, each pixel is one straight ray along its middle, so that pixels wider than a voxel blur the result. Its lengths in the voxels are exact, cut off where the terrain begins and ends, with the Earth's curvature and the true north and scale of the projection. Voxels of air are no unknowns. Rock on the ray outside the volume is taken off at the reference density. Then the method finds the densities whose integrals along the rays are the opacities.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Qué hace.&lt;/b&gt; Con conteos, subrayos rectos llenan cada trayectoria; con otras magnitudes, cada píxel es un rayo recto por su centro, así que los píxeles más anchos que un vóxel desdibujan el resultado. Sus longitudes en los vóxeles son exactas, cortadas donde el terreno comienza y termina, con la curvatura de la Tierra y el norte y la escala verdaderos de la proyección. Los vóxeles de aire no son incógnitas. La roca del rayo fuera del volumen se descuenta con la densidad de referencia. Luego el método busca las densidades cuyas integrales a lo largo de los rayos son las opacidades.&lt;/p&gt;</translation>
     </message>
     <message>
       <source>&lt;p&gt;&lt;b&gt;Which method.&lt;/b&gt; &lt;i&gt;bayes&lt;/i&gt; (default) weighs the data by their errors against a prior about the reference density: where rays say little, the density stays near it. It tells the error of each density. &lt;i&gt;tv&lt;/i&gt; prefers bodies with sharp edges; its regularisation must suit the noise. &lt;i&gt;sirt&lt;/i&gt;, &lt;i&gt;art&lt;/i&gt;, &lt;i&gt;sart&lt;/i&gt;, &lt;i&gt;mlem&lt;/i&gt; and their relatives follow the data and stop at their errors. Filtered back-projection and Gridrec need parallel rays and are refused.&lt;/p&gt;</source>
@@ -2652,12 +2748,16 @@
       <translation>&lt;p&gt;Los &lt;b&gt;residuos&lt;/b&gt; dicen para cada muograma lo que las densidades dejan sin explicar. Chi cuadrado por rayo es aproximadamente 1 donde el modelo y los errores son correctos. Mucho más significa que los errores son demasiado pequeños, o que los muogramas se contradicen.&lt;/p&gt;</translation>
     </message>
     <message>
+      <source>&lt;p&gt;&lt;b&gt;Residual muograms&lt;/b&gt; and &lt;b&gt;factors&lt;/b&gt; show where counts are not explained: noise of size 1 everywhere is a perfect fit. A warning says so where chi squared is above 1.5, a density is that of no rock, or a factor or a boresight is far from what was known, with the cause and what to do.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;Los &lt;b&gt;muogramas de residuos&lt;/b&gt; y los &lt;b&gt;factores&lt;/b&gt; muestran dónde los conteos no quedan explicados: ruido de tamaño 1 en todas partes es un ajuste perfecto. Una advertencia lo dice donde chi cuadrado supera 1.5, una densidad no es la de ninguna roca, o un factor o una dirección de apuntado están lejos de lo que se sabía, con la causa y qué hacer.&lt;/p&gt;</translation>
+    </message>
+    <message>
       <source>Muograms</source>
       <translation>Muogramas</translation>
     </message>
     <message>
-      <source>Muograms of one quantity from several stations: density, opacity, flux, transmission or thickness, or rasters in telescope angles. They say themselves what they hold and where their detectors stand.</source>
-      <translation>Muogramas de una misma magnitud desde varias estaciones: densidad, opacidad, flujo, transmisión o espesor, o rásteres en ángulos del telescopio. Ellos mismos dicen qué contienen y dónde están sus detectores.</translation>
+      <source>Muograms of one quantity from several stations: counts, density, opacity, flux, transmission or thickness, or rasters in telescope angles. They say themselves what they hold and where their detectors stand; counts also say the days, and telescope or acceptance.</source>
+      <translation>Muogramas de una misma magnitud desde varias estaciones: conteos, densidad, opacidad, flujo, transmisión o espesor, o rásteres en ángulos del telescopio. Ellos mismos dicen qué contienen y dónde están sus detectores; los conteos dicen además los días, y el telescopio o la aceptancia.</translation>
     </message>
     <message>
       <source>Errors of the muograms</source>
@@ -2668,12 +2768,36 @@
       <translation>Rásteres de los errores estándar, como el error de la densidad, uno por muograma, en cualquier orden: se asocian por detector y direcciones.</translation>
     </message>
     <message>
+      <source>Acceptances of the counts</source>
+      <translation>Aceptancias de los conteos</translation>
+    </message>
+    <message>
+      <source>Rasters of acceptances in cm² sr on the pixels of counts, in any order; without one, that of the telescope or of the metadata (ACCEPTANCE) counts.</source>
+      <translation>Rásteres de aceptancias en cm² sr en los píxeles de los conteos, en cualquier orden; sin uno, vale la del telescopio o la de los metadatos (ACCEPTANCE).</translation>
+    </message>
+    <message>
       <source>Line of a vertical section</source>
       <translation>Línea de una sección vertical</translation>
     </message>
     <message>
       <source>Layer whose first line says where the vertical section runs; in any coordinate reference system.</source>
       <translation>Capa cuya primera línea dice por dónde pasa la sección vertical; en cualquier sistema de referencia de coordenadas.</translation>
+    </message>
+    <message>
+      <source>Factors and boresights</source>
+      <translation>Factores y direcciones de apuntado</translation>
+    </message>
+    <message>
+      <source>CSV, of the method counts: mean density, factor of the flux, and factor and boresight of each station, with what was known before and the errors of both.</source>
+      <translation>CSV, del método counts: densidad media, factor del flujo, y factor y dirección de apuntado de cada estación, con lo que se sabía antes y los errores de ambos.</translation>
+    </message>
+    <message>
+      <source>Folder of residual muograms</source>
+      <translation>Carpeta de muogramas de residuos</translation>
+    </message>
+    <message>
+      <source>Holds a GeoTIFF for each raster of counts, of the method counts: counts less what the densities expect, over the standard error; noise of size 1 where all is explained.</source>
+      <translation>Contiene un GeoTIFF por ráster de conteos, del método counts: conteos menos lo que esperan las densidades, divididos por el error estándar; ruido de tamaño 1 donde todo está explicado.</translation>
     </message>
     <message>
       <source>Vertical section</source>
@@ -3134,6 +3258,10 @@ Píxeles desconocidos {unknown} de {pixels}</translation>
       <translation>Días para ver el contraste de densidad</translation>
     </message>
     <message>
+      <source>Residual over its error</source>
+      <translation>Residuo dividido por su error</translation>
+    </message>
+    <message>
       <source>Score of the site</source>
       <translation>Puntuación del sitio</translation>
     </message>
@@ -3244,6 +3372,30 @@ Píxeles desconocidos {unknown} de {pixels}</translation>
     <message>
       <source>MURAVES (2017)</source>
       <translation>MURAVES (2017)</translation>
+    </message>
+    <message>
+      <source>Standard error of each density, of the method bayes. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
+      <translation type="vanished">Error estándar de cada densidad, del método bayes. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;What it does.&lt;/b&gt; Each pixel is a straight ray along its middle, so pixels wider than a voxel blur the result. Its lengths in the voxels are exact, cut off where the terrain begins and ends, with the Earth's curvature and the true north and scale of the projection. Voxels of air are no unknowns. Rock on the ray outside the volume is taken off at the reference density. Then the method finds the densities whose integrals along the rays are the opacities.&lt;/p&gt;</source>
+      <translation type="vanished">&lt;p&gt;&lt;b&gt;Qué hace.&lt;/b&gt; Cada píxel es un rayo recto por su centro, así que los píxeles más anchos que un vóxel desdibujan el resultado. Sus longitudes en los vóxeles son exactas, cortadas donde el terreno comienza y termina, con la curvatura de la Tierra y el norte y la escala verdaderos de la proyección. Los vóxeles de aire no son incógnitas. La roca del rayo fuera del volumen se descuenta con la densidad de referencia. Luego el método busca las densidades cuyas integrales a lo largo de los rayos son las opacidades.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>How densities are found. art: ART (Kaczmarz); bart: ART by blocks; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: Penalised likelihood, quadratic; pml-hybrid: Penalised likelihood, hybrid; ospml-quad: Penalised likelihood by subsets, quadratic; ospml-hybrid: Penalised likelihood by subsets, hybrid; tv: Total variation; grad: Gradient descent; tikhonov: Tikhonov; lsmr: Damped LSMR; bayes: Bayesian, Gaussian prior. Those of the family art and sirt follow the data alone; pml, tv, grad, tikhonov and lsmr prefer smooth models, tv with sharp edges; bayes weighs data against a prior and tells its errors.</source>
+      <translation type="vanished">Cómo se buscan las densidades. art: ART (Kaczmarz); bart: ART por bloques; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: verosimilitud penalizada, cuadrática; pml-hybrid: verosimilitud penalizada, híbrida; ospml-quad: verosimilitud penalizada por subconjuntos, cuadrática; ospml-hybrid: verosimilitud penalizada por subconjuntos, híbrida; tv: variación total; grad: descenso por gradiente; tikhonov: Tikhonov; lsmr: LSMR amortiguado; bayes: bayesiano, conocimiento previo gaussiano. Los de la familia de art y sirt siguen solo los datos; pml, tv, grad, tikhonov y lsmr prefieren modelos suaves, tv con bordes nítidos; bayes pondera los datos frente a un conocimiento previo y dice sus errores.</translation>
+    </message>
+    <message>
+      <source>Give how far densities are from the reference before any muon, in g/cm³, above 0; for bayes.</source>
+      <translation type="vanished">Indique cuánto se apartan las densidades de la referencia antes de cualquier muon, en g/cm³, mayor que 0; para bayes.</translation>
+    </message>
+    <message>
+      <source>Give the distance in m, above 0, over which densities are alike; for bayes.</source>
+      <translation type="vanished">Indique la distancia en m, mayor que 0, en la que las densidades se parecen; para bayes.</translation>
+    </message>
+    <message>
+      <source>Muograms of one quantity from several stations: density, opacity, flux, transmission or thickness, or rasters in telescope angles. They say themselves what they hold and where their detectors stand.</source>
+      <translation type="vanished">Muogramas de una misma magnitud desde varias estaciones: densidad, opacidad, flujo, transmisión o espesor, o rásteres en ángulos del telescopio. Ellos mismos dicen qué contienen y dónde están sus detectores.</translation>
     </message>
   </context>
 </TS>

@@ -96,6 +96,7 @@ QUANTITIES = {
         Quantity("relative_error", "Counting error", "%", "viridis", True),
         Quantity("density_resolution", "Smallest visible density contrast", "%", "viridis", True),
         Quantity("contrast_days", "Days to see the density contrast", "days", "plasma", True),
+        Quantity("residual", "Residual over its error", "1", "blue_red", False),
         # Of places for telescopes, on the map.
         Quantity("site_score", "Score of the site", "1", "viridis", False),
         Quantity("share_seen", "Share of the target seen", "1", "viridis", False),

@@ -13,15 +13,19 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
+from ..muysc_qgis.progress import Progress
 from ..muysc_qgis.radiography.aperture import Aperture
 from ..muysc_qgis.radiography.settings import Physics
 from ..muysc_qgis.staging import Staging
+from ..muysc_qgis.tomography.counting import COUNTS
 from ..muysc_qgis.topography.dem import Dem
 from ..muysc_qgis.topography.frame import to_wgs84
+from ..muysc_qgis.workflows.count_tomography import CountChoices
 from ..muysc_qgis.workflows.known_model import KnownModel
 from ..muysc_qgis.workflows.reconstruction_test import KnownModelResult, reconstruct_known_model
 from ..muysc_qgis.workflows.simulated_counts import Campaign
 from ..muysc_qgis.workflows.sites import Station, stations_of
+from ..muysc_qgis.workflows.survey_verdict import judge_survey, telescopes_at
 from ..muysc_qgis.workflows.tomography import TomographyChoices
 from ..muysc_qgis.workflows.volume_frame import projection_for
 from ..muysc_qgis.workflows.volume_plan import VolumePlan
@@ -36,13 +40,14 @@ from .outputs.known_model import (
 )
 from .outputs.rasters import wanted
 from .outputs.volume import stage_volumes, volume_outputs, write_voxels
-from .parameters.campaign import campaign_parameters, read_campaign
+from .parameters.campaign import campaign_parameters, read_campaign, survey_parameters
+from .parameters.counts import count_parameters, read_counting
 from .parameters.known_model import model_parameters, read_model
 from .parameters.physics import physics_parameters, read_physics
 from .parameters.reconstruction import read_reconstruction, reconstruction_parameters
 from .parameters.ring import read_stations, stations_parameters
 from .parameters.terrain import dem_parameters, read_dem
-from .parameters.values import read_number
+from .parameters.values import read_count, read_number
 from .parameters.view import aperture_parameters, read_aperture, read_point, target_parameters
 from .parameters.volume import read_crs, read_plan, volume_parameters
 
@@ -68,6 +73,10 @@ class _Inputs:
     physics: Physics
     campaign: Campaign
     choices: TomographyChoices
+    #: How counts are fitted, share of the muons counted, and number of surveys drawn.
+    counting: CountChoices | None
+    efficiency: float
+    draws: int
     #: What was assumed, and a sentence for each site that was skipped.
     notes: list[str]
     skipped: list[str]
@@ -102,6 +111,8 @@ class ReconstructionTest(MuyscAlgorithm):
             *physics_parameters(density=False),
             *volume,
             *reconstruction_parameters(),
+            *count_parameters(),
+            *survey_parameters(),
             *volume_outputs(),
             *known_model_outputs(),
             *document_outputs(
@@ -137,6 +148,11 @@ class ReconstructionTest(MuyscAlgorithm):
             replace(physics, density_g_cm3=model.density),
             read_campaign(*read, context),
             choices,
+            read_counting(*read, context, replace(choices, reference_density=model.density))
+            if choices.method == COUNTS
+            else None,
+            read_number(*read, "EFFICIENCY", context) / 100,
+            read_count(*read, "DRAWS", context),
             [*notes, *assumed, *more],
             [*lost, *skipped],
         )
@@ -149,18 +165,7 @@ class ReconstructionTest(MuyscAlgorithm):
         feedback: QgsProcessingFeedback,
         staging: Staging,
     ) -> dict[str, Any]:
-        found = reconstruct_known_model(
-            inputs.stations,
-            inputs.aperture,
-            inputs.dem,
-            inputs.plan,
-            inputs.model,
-            inputs.physics,
-            inputs.campaign,
-            inputs.choices,
-            inputs.crs,
-            progress_of(feedback, 0.0, 0.9),
-        )
+        found = _found(inputs, progress_of(feedback, 0.0, 0.9))
         _say(feedback, inputs, found)
         values = numbers(found)
         files = (parameters, context)
@@ -185,6 +190,30 @@ class ReconstructionTest(MuyscAlgorithm):
         return results | values
 
 
+def _found(inputs: _Inputs, progress: Progress) -> KnownModelResult:
+    """Return what is found from counts along trajectories, or from pixels of one ray each."""
+    if inputs.counting is not None:
+        telescopes = telescopes_at(
+            inputs.stations, inputs.aperture, inputs.physics, inputs.campaign, inputs.efficiency
+        )
+        return judge_survey(
+            telescopes, inputs.dem, inputs.plan, inputs.model, inputs.campaign, inputs.counting,
+            inputs.draws, inputs.crs, progress,
+        )  # fmt: skip
+    return reconstruct_known_model(
+        inputs.stations,
+        inputs.aperture,
+        inputs.dem,
+        inputs.plan,
+        inputs.model,
+        inputs.physics,
+        inputs.campaign,
+        inputs.choices,
+        inputs.crs,
+        progress,
+    )
+
+
 def _say(feedback: QgsProcessingFeedback, inputs: _Inputs, found: KnownModelResult) -> None:
     """Log what was used and found, the rays lost by cause, and every warning."""
     result = found.tomography
@@ -207,6 +236,8 @@ def _say(feedback: QgsProcessingFeedback, inputs: _Inputs, found: KnownModelResu
         f"The densities are off by {found.bias:.3g} ± {found.spread:.3g} g/cm³, "
         f"{100 * found.relative_error:.3g} % of them."
     )
+    if found.verdict is not None:
+        feedback.pushInfo(found.verdict.text)
     for text in result.warnings:
         feedback.pushWarning(text)
 

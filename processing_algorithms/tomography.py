@@ -15,16 +15,20 @@ from qgis.core import (
 
 from ..muysc_qgis.staging import Staging
 from ..muysc_qgis.topography.dem import Dem
+from ..muysc_qgis.workflows.count_data import read_count_stations, refuse_other_method
+from ..muysc_qgis.workflows.count_tomography import CountChoices, CountTomography, count_tomography
 from ..muysc_qgis.workflows.muogram_data import bare_stations, read_survey
 from ..muysc_qgis.workflows.named_view import NamedView
 from ..muysc_qgis.workflows.tomography import TomographyChoices, projection_of, tomography
 from ..muysc_qgis.workflows.tomography_result import Tomography
 from ..muysc_qgis.workflows.volume_plan import VolumePlan
 from .base import MuyscAlgorithm, progress_of
+from .outputs.counts import count_outputs, stage_counts, told_of
 from .outputs.documents import document_outputs, stage_drawn
 from .outputs.rasters import wanted
 from .outputs.section import Line, read_line, section_line, section_output, section_pictures
 from .outputs.volume import stage_volumes, volume_outputs, write_voxels
+from .parameters.counts import count_parameters, read_counting
 from .parameters.muograms import muogram_layers, read_view_layers
 from .parameters.reconstruction import read_reconstruction, reconstruction_parameters
 from .parameters.terrain import dem_parameters, read_dem
@@ -44,6 +48,9 @@ class _Inputs:
     plan: VolumePlan
     choices: TomographyChoices
     line: Line | None
+    acceptances: list[NamedView]
+    #: How counts are fitted, where the muograms hold counts.
+    counting: CountChoices | None
 
 
 class TomographyAlgorithm(MuyscAlgorithm):
@@ -69,9 +76,10 @@ class TomographyAlgorithm(MuyscAlgorithm):
         return [
             muogram_layers(
                 "MUOGRAMS", "Muograms",
-                "Muograms of one quantity from several stations: density, opacity, flux, "
+                "Muograms of one quantity from several stations: counts, density, opacity, flux, "
                 "transmission or thickness, or rasters in telescope angles. They say themselves "
-                "what they hold and where their detectors stand.",
+                "what they hold and where their detectors stand; counts also say the days, and "
+                "telescope or acceptance.",
             ),
             muogram_layers(
                 "ERRORS", "Errors of the muograms",
@@ -79,11 +87,19 @@ class TomographyAlgorithm(MuyscAlgorithm):
                 "any order: they are matched by detector and directions.",
                 optional=True,
             ),
+            muogram_layers(
+                "ACCEPTANCES", "Acceptances of the counts",
+                "Rasters of acceptances in cm² sr on the pixels of counts, in any order; without "
+                "one, that of the telescope or of the metadata (ACCEPTANCE) counts.",
+                optional=True,
+            ),
             *dem_parameters(),
             *volume_parameters(),
             *reconstruction_parameters(),
+            *count_parameters(),
             section_line(),
             *volume_outputs(),
+            *count_outputs(),
             section_output(),
             *document_outputs(
                 "Picture of slices and sections through the target, views from the top, the front "
@@ -99,10 +115,15 @@ class TomographyAlgorithm(MuyscAlgorithm):
         dem, _ = read_dem(*read, context)
         muograms = read_view_layers(*read, "MUOGRAMS", context)
         errors = read_view_layers(*read, "ERRORS", context)
+        acceptances = read_view_layers(*read, "ACCEPTANCES", context)
         named = [NamedView(Path(path).stem, view) for view, path in muograms]
         crs = read_crs(*read, context) or projection_of(bare_stations(named), dem)
+        counting = None
+        if any(one.view.quantity == "counts" for one in named):
+            refuse_other_method(choices.method, "METHOD" in parameters, choices.mask)
+            counting = read_counting(*read, context, choices)
         return _Inputs(
-            (dem.path, *(path for _, path in (*muograms, *errors))),
+            (dem.path, *(path for _, path in (*muograms, *errors, *acceptances))),
             named,
             [NamedView(Path(path).stem, view) for view, path in errors],
             dem,
@@ -110,6 +131,8 @@ class TomographyAlgorithm(MuyscAlgorithm):
             read_plan(*read, context, crs),
             choices,
             read_line(*read, context, crs.to_wkt()),
+            [NamedView(Path(path).stem, view) for view, path in acceptances],
+            counting,
         )
 
     def compute(
@@ -120,26 +143,13 @@ class TomographyAlgorithm(MuyscAlgorithm):
         feedback: QgsProcessingFeedback,
         staging: Staging,
     ) -> dict[str, Any]:
-        data = read_survey(
-            inputs.muograms,
-            inputs.errors,
-            inputs.dem,
-            inputs.choices.reference_density,
-            progress_of(feedback, 0.0, 0.2),
-        )
-        result = tomography(
-            data.stations,
-            inputs.dem,
-            inputs.plan,
-            inputs.choices,
-            inputs.crs,
-            data.rock,
-            progress_of(feedback, 0.2, 0.9),
-        )
-        _say(feedback, result, data.warnings)
+        result, counted, warnings = _found(inputs, feedback)
+        _say(feedback, result, warnings)
         files = (parameters, context)
         staged = (staging, inputs.paths)
         results = stage_volumes(self, result, *files, *staged)
+        if counted is not None:
+            results |= stage_counts(self, counted, inputs.muograms, *files, *staged)
         results |= stage_drawn(
             self,
             lambda: _drawing().panel(result, inputs.dem),
@@ -147,7 +157,7 @@ class TomographyAlgorithm(MuyscAlgorithm):
                 result,
                 inputs.dem,
                 provenance,
-                warnings=data.warnings,
+                warnings=warnings,
                 discrepancy=inputs.choices.options.discrepancy,
                 line_m=inputs.line,
             ),
@@ -156,6 +166,38 @@ class TomographyAlgorithm(MuyscAlgorithm):
         )  # fmt: skip
         results |= write_voxels(self, result, *files, staging)
         return results | _numbers(result)
+
+
+def _found(
+    inputs: _Inputs, feedback: QgsProcessingFeedback
+) -> tuple[Tomography, CountTomography | None, tuple[str, ...]]:
+    """Return densities, what the fit of counts tells beside them, and warnings on the data."""
+    if inputs.counting is not None:
+        stations = read_count_stations(inputs.muograms, inputs.acceptances)
+        counted = count_tomography(
+            stations, inputs.dem, inputs.plan, inputs.counting, inputs.crs,
+            progress_of(feedback, 0.0, 0.9),
+        )  # fmt: skip
+        for text in told_of(counted):
+            feedback.pushInfo(text)
+        return counted.tomography, counted, ()
+    data = read_survey(
+        inputs.muograms,
+        inputs.errors,
+        inputs.dem,
+        inputs.choices.reference_density,
+        progress_of(feedback, 0.0, 0.2),
+    )
+    result = tomography(
+        data.stations,
+        inputs.dem,
+        inputs.plan,
+        inputs.choices,
+        inputs.crs,
+        data.rock,
+        progress_of(feedback, 0.2, 0.9),
+    )
+    return result, None, data.warnings
 
 
 def _say(feedback: QgsProcessingFeedback, result: Tomography, warnings: tuple[str, ...]) -> None:

@@ -86,8 +86,19 @@ def errors_of_pixels(errors: np.ndarray, region: np.ndarray) -> np.ndarray:
     region
         Number of each pixel's region from 0, −1 for a pixel on its own; as many.
     """
+    return errors / np.sqrt(shares_of_pixels(region))
+
+
+def shares_of_pixels(region: np.ndarray) -> np.ndarray:
+    """Return the share of an independent datum that each pixel is, 1/n in a region of n.
+
+    Parameters
+    ----------
+    region
+        As in `errors_of_pixels`.
+    """
     members = np.bincount(region[region >= 0], minlength=1)
-    return errors * np.sqrt(np.append(members, 1)[region])
+    return 1.0 / np.append(np.maximum(members, 1), 1)[region]
 
 
 def _shrunk(box: tuple[int, int, int, int], usable: np.ndarray) -> tuple[int, int, int, int]:

@@ -138,6 +138,15 @@ class _Covariance:
         kernel = deviation**2 * np.exp(-np.sqrt(square) / length_m)
         self.eigenvalues = np.maximum(self._fft.rfftn(kernel).real, 0.0)
 
+    def kernel(self) -> np.ndarray:
+        """Return the covariance over the distance in cells along each axis, of the lattice's shape.
+
+        That which the products are with, float32.
+        """
+        whole = self._fft.irfftn(self.eigenvalues, s=self._shape, workers=-1)
+        inside = tuple(slice(n) for n in self._lattice.active.shape)
+        return np.ascontiguousarray(whole[inside], np.float32)
+
     @property
     def root_size(self) -> int:
         """Number of columns of the root."""

@@ -9,14 +9,15 @@ import numpy as np
 
 from ..errors import MuyscError
 from ..measurement.density import Flag
-from ..measurement.regions import errors_of_pixels
+from ..measurement.regions import shares_of_pixels
 from ..muogram import DOMAIN, Muogram
 from ..progress import Progress, part, report, silent
 from ..quantities import ERROR_SUFFIX
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
+from ..radiography.transmission import attenuate
 from ..topography.dem import Dem
 from ..topography.frame import from_wgs84, ground_height
-from ..views import like, metres_apart, require_same_directions
+from ..views import elevation_of, like, metres_apart, require_same_directions
 from .measured import Measurement
 from .measured_density import FLAG_MEANINGS, DensityChoices, density_behind
 from .named_view import NamedView
@@ -33,6 +34,12 @@ _SAME_GROUND_M = 20.0
 
 #: Thicknesses of muogram and DEM that differ by more than this share are not of one terrain.
 _SAME_TERRAIN = 0.05
+
+#: Relative change of an opacity over which the slope of the flux is taken.
+_PROBE = 0.01
+
+#: Share of an error that is its own at least, whatever is taken off it.
+_LEAST_OWN = 0.1
 
 #: Flags of pixels whose flux says no opacity.
 _NO_OPACITY = (Flag.LOWER_LIMIT, Flag.BRIGHT, Flag.NO_ANSWER, Flag.TOO_THIN, Flag.MIXED)
@@ -89,7 +96,7 @@ def read_survey(
         stations.append(filled)
         warnings += [*_other_ground(one, station, dem), *more]
         report(progress, 0.6 + 0.4 * (number + 1) / len(muograms))
-    return SurveyData(tuple(stations), tuple(rock), quantity, tuple(warnings))
+    return SurveyData(tuple(stations), tuple(rock), quantity, tuple(dict.fromkeys(warnings)))
 
 
 def bare_stations(muograms: Sequence[NamedView]) -> list[StationData]:
@@ -213,6 +220,7 @@ def _filled(
     per_unit: np.ndarray | float = 1.0
     lost: Mapping[str, np.ndarray] = {}
     warnings: list[str] = []
+    share: np.ndarray | None = None
     if view.quantity == "thickness":
         if "DENSITY" in view.metadata:
             density = one.number("DENSITY")
@@ -228,27 +236,73 @@ def _filled(
         per_unit = thickness * G_CM2_PER_M_WATER_EQUIVALENT
     elif view.quantity == "density":
         per_unit = thickness * G_CM2_PER_M_WATER_EQUIVALENT
-        spread = None if spread is None else _errors_if_merged(one, values, spread)
+        if spread is not None:
+            warnings += _zeros_left_out(one, values, spread)
+            share = _shares_if_merged(one, values, spread)
+            spread, said = _without_common(one, values, spread, thickness)
+            spread = spread / np.sqrt(share)
+            warnings += said
     # In the sky, a density is not known and an opacity is.
     opacity = np.where(thickness == 0, 0.0, values * per_unit)
     error = None if spread is None else spread * per_unit
-    return replace(station, opacity=opacity, error=error, lost=lost), warnings
+    return replace(station, opacity=opacity, error=error, share=share, lost=lost), warnings
 
 
-def _errors_if_merged(one: NamedView, values: np.ndarray, errors: np.ndarray) -> np.ndarray:
-    """Return errors of densities, wider where several pixels carry one measurement.
+def _shares_if_merged(one: NamedView, values: np.ndarray, errors: np.ndarray) -> np.ndarray:
+    """Return shares of a datum, less than 1 where several pixels carry one measurement.
 
     The files do not say which pixels were merged. A region is known by its density and error,
     the same in each of its pixels; two regions that agree in both to the last digit count as
     one, which makes their errors too large rather than too small.
     """
     if "MINIMUM_COUNTS" not in one.view.metadata or one.number("MINIMUM_COUNTS") <= 0:
-        return errors
+        return np.ones(values.shape)
     known = np.isfinite(values) & np.isfinite(errors)
     pairs = np.stack([values[known], errors[known]], axis=1)
     region = np.full(values.shape, -1)
     region[known] = np.unique(pairs, axis=0, return_inverse=True)[1].ravel()
-    return errors_of_pixels(errors, region)
+    return shares_of_pixels(region)
+
+
+def _without_common(
+    one: NamedView, values: np.ndarray, errors: np.ndarray, thickness_m: np.ndarray
+) -> tuple[np.ndarray, list[str]]:
+    """Return errors of densities without the flux model's, which all pixels share.
+
+    In `density` the uncertainty u of the flux is ρ u/|d ln I/d ln ϱ| of a density, in quadrature
+    with the counting error. As independent noise it would average out, and it does not.
+    """
+    if "MODEL_UNCERTAINTY" not in one.view.metadata or one.number("MODEL_UNCERTAINTY") <= 0:
+        return errors, []
+    share, physics = one.number("MODEL_UNCERTAINTY"), one.physics()
+    altitude = one.number("DETECTOR_ELEVATION") if physics.altitude_counts else 0.0
+    opacity = np.where(values > 0, values * thickness_m, np.nan) * G_CM2_PER_M_WATER_EQUIVALENT
+    elevation = elevation_of(one.view) * np.ones(one.view.values.shape)
+    low, high = (
+        np.log(attenuate(opacity * times, elevation.ravel(), physics, altitude).flux)
+        for times in (1 - _PROBE, 1 + _PROBE)
+    )
+    common = values * share * 2 * _PROBE / np.abs(high - low)
+    own = np.sqrt(np.maximum(errors**2 - common**2, (_LEAST_OWN * errors) ** 2))
+    shift = float(np.nanmedian(common)) if np.isfinite(common).any() else 0.0
+    return np.where(np.isfinite(common), own, errors), [
+        f"The uncertainty of the flux model ({100 * share:g} %) is common to all pixels and is not "
+        f"in the errors of a tomography; it shifts all densities together, by about {shift:.2g} "
+        "g/cm³."
+    ]
+
+
+def _zeros_left_out(one: NamedView, values: np.ndarray, errors: np.ndarray) -> list[str]:
+    """Return a warning where pixels without a muon are left out, which are the thickest."""
+    limits = int(np.count_nonzero(np.isfinite(values) & ~np.isfinite(errors)))
+    merged = "MINIMUM_COUNTS" in one.view.metadata and one.number("MINIMUM_COUNTS") > 0
+    if not limits or merged or "FLAGS" not in one.view.metadata:
+        return []
+    return [
+        f"{one.name}: {limits} pixels counted no muon and are left out, which makes thick rock "
+        "look light; merge pixels in Density from a measured muogram (MINIMUM_COUNTS, such as "
+        "20), or give the counts themselves (method counts)."
+    ]
 
 
 def _inverted(

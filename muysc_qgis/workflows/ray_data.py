@@ -29,6 +29,8 @@ class RayData:
     #: (n,) opacity along the whole ray and its standard error, g/cm²; None where none is known.
     opacity: np.ndarray
     error: np.ndarray | None
+    #: (n,) share of an independent datum that each is.
+    share: np.ndarray
     #: Density (g/cm³) of rock of which nothing else is known.
     reference_density: float
     #: Pixels that say nothing, by cause.
@@ -84,8 +86,12 @@ def ray_data(
                 "the rasters of errors, or leave them out."
             )
     used = np.flatnonzero(known)
+    share = np.concatenate([
+        np.ones(len(one)) if one.share is None else one.share for one in lines.stations
+    ])[lines.pixel]  # fmt: skip
     return RayData(
-        used, opacity[used], None if error is None else error[used], reference_density,
+        used, opacity[used], None if error is None else error[used], share[used],
+        reference_density,
         {cause: count for cause, count in lost.items() if count},
     )  # fmt: skip
 

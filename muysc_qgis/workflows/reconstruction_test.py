@@ -38,6 +38,8 @@ from .volume_plan import VolumePlan
 if TYPE_CHECKING:
     from pyproj import CRS
 
+    from .survey_verdict import Verdict
+
 #: Voxels of the known model along one of the volume's, and the most of them.
 _FINER, _MOST_FINE = 2, 32_000_000
 
@@ -74,6 +76,8 @@ class KnownModelResult:
     bias: float
     #: Muons counted by all stations; NaN without noise.
     muons: float
+    #: Over several draws, of the method counts; None of others.
+    verdict: Verdict | None = None
 
     @property
     def contrast(self) -> float:
@@ -160,16 +164,38 @@ def find_known_model(
     bodies = model.bodies(lines.frame, metric)
     density, shares = density_in(metric, bodies, model.density)
     truth = _truth(lines, density, dem)
-    _check_bodies(bodies, shares, truth, lines)
+    check_bodies(bodies, shares, truth, lines)
     opacity = lines.opacity(
         model.density * lines.inside_m + _contrast_along(lines, bodies, model.density, dem),
         model.density,
     )
-    seen, choices, muons = _observe(
-        lines, opacity, stations, aperture, physics, campaign, choices,
-        part(progress, 0.0, _COUNTED),
-    )  # fmt: skip
+    seen, muons = _observe(
+        lines, opacity, stations, aperture, physics, campaign, part(progress, 0.0, _COUNTED)
+    )
     found = reconstruct_volume(seen, choices, part(progress, _COUNTED, 1.0))
+    return known_result(found, truth, bodies, shares, muons)
+
+
+def known_result(
+    found: Tomography,
+    truth: np.ndarray,
+    bodies: Sequence[PlacedBody],
+    shares: Sequence[np.ndarray],
+    muons: float,
+) -> KnownModelResult:
+    """Return how near a tomography is to what was to be found.
+
+    Parameters
+    ----------
+    found
+        The tomography.
+    truth
+        (east, north, up) g/cm³, NaN where there is no unknown.
+    bodies, shares
+        What is in the rock, and which share of each voxel.
+    muons
+        Muons counted.
+    """
     values = found.density.values
     known = np.isfinite(values) & np.isfinite(truth)
     off = values[known] - truth[known]
@@ -193,12 +219,19 @@ def _truth(lines: Sightlines, density: np.ndarray, dem: Dem) -> np.ndarray:
     return density * rock_fraction(lines.paths.grid, ground)
 
 
-def _check_bodies(
+def check_bodies(
     bodies: Sequence[PlacedBody],
     shares: Sequence[np.ndarray],
     truth: np.ndarray,
     lines: Sightlines,
 ) -> None:
+    """Refuse a body that is outside the rock of the volume.
+
+    Raises
+    ------
+    MuyscError
+        If one is.
+    """
     grid = lines.grid
     for body, share in zip(bodies, shares):
         if not np.any(share[np.nan_to_num(truth) > 0] > 0):
@@ -235,16 +268,15 @@ def _observe(
     aperture: Aperture,
     physics: Physics,
     campaign: Campaign,
-    choices: TomographyChoices,
     progress: Progress,
-) -> tuple[Sightlines, TomographyChoices, float]:
-    """Return the lines with what is seen along them, fitting choices, and the muons counted."""
+) -> tuple[Sightlines, float]:
+    """Return the lines with what is seen along them, and the muons counted."""
     exact = [
         data.with_opacity(values, None)
         for data, values in zip(lines.stations, lines.per_pixel(opacity))
     ]
     if not campaign.noise:
-        return replace(lines, stations=tuple(exact)), choices, float("nan")
+        return replace(lines, stations=tuple(exact)), float("nan")
     generator = np.random.default_rng(campaign.seed)
     counted = [
         count_muons(
@@ -261,12 +293,8 @@ def _observe(
             f"No muon is counted behind the rock of the volume in {campaign.days:g} days; count "
             "longer, or use a larger acceptance or pixels."
         )
-    # Pixels of one region scatter together, so that the errors are reached earlier.
-    reached = choices.options.discrepancy * np.sqrt(sum(one.regions for one in counted) / pixels)
-    options = replace(choices.options, discrepancy=float(reached))
     return (
         replace(lines, stations=tuple(one.data for one in counted)),
-        replace(choices, options=options),
         sum(one.muons for one in counted),
     )
 

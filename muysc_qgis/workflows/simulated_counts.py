@@ -9,7 +9,7 @@ import numpy as np
 from ..errors import MuyscError
 from ..measurement.density import Densities, Flag, check_minimum, measure_density
 from ..measurement.observation import from_counts
-from ..measurement.regions import errors_of_pixels
+from ..measurement.regions import errors_of_pixels, shares_of_pixels
 from ..measurement.scene import Scene
 from ..muogram import Muogram
 from ..progress import Progress, silent
@@ -18,6 +18,7 @@ from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.counting import check_positive
 from ..radiography.settings import Physics
 from ..radiography.transmission import attenuate
+from ..telescope.directions import Pointing
 from .measured_density import FLAG_MEANINGS
 from .simulation import Telescope
 from .sites import Station
@@ -138,7 +139,7 @@ def count_muons(
         },
     )
     elevation = view.elevation_deg[:, None]
-    acceptance = campaign.telescope.acceptance_toward(view)
+    acceptance = campaign.telescope.acceptance_toward(view) * _pixel_share(campaign, view, aperture)
     flux = attenuate(data.opacity.reshape(shape), elevation, physics, data.elevation_m).flux
     with np.errstate(over="ignore"):
         expected = flux * acceptance * campaign.days
@@ -160,17 +161,39 @@ def count_muons(
     said = np.isin(found.flags, _SAID) & known
     opacity = np.where(said, found.opacity(view.values), np.nan)
     error = np.where(said, _errors(found, view.values), np.nan)
+    share = None if found.region is None else shares_of_pixels(found.region).ravel()
     lost = {
         FLAG_MEANINGS[flag]: (found.flags == flag).ravel() & ~np.isnan(thickness_m)
         for flag in Flag
         if flag not in _SAID
     }
     return Counted(
-        replace(data, opacity=opacity.ravel(), error=error.ravel(), lost=lost),
+        replace(data, opacity=opacity.ravel(), error=error.ravel(), share=share, lost=lost),
         float(np.nansum(counts)),
         int(np.count_nonzero(found.flags == Flag.MEASURED)),
         found.regions,
     )
+
+
+def _pixel_share(campaign: Campaign, view: Muogram, aperture: Aperture) -> float | np.ndarray:
+    """Return the solid angle of pixels over that of a telescope's trajectories.
+
+    What a telescope collects does not depend on the pixels that it is put into: neighbouring
+    trajectories are d/D apart in the tangents, so that each stands for (d/D)² cos³ of the angle to
+    the boresight. Without a telescope, the acceptance is that of a pixel whatever its size.
+    """
+    trajectories = campaign.telescope.trajectories
+    if trajectories is None:
+        return 1.0
+    elevation = np.radians(view.elevation_deg[:, None])
+    across = np.radians(aperture.azimuth_width_deg / aperture.azimuth_pixels)
+    up = np.radians(aperture.elevation_width_deg / aperture.elevation_pixels)
+    pointing = Pointing(
+        view.number("BORESIGHT_AZIMUTH") % 360.0, view.number("BORESIGHT_ELEVATION")
+    )
+    x, y = pointing.plane(view.azimuth_deg[None, :], view.elevation_deg[:, None])
+    own = trajectories.geometry.step**2 / (1.0 + x**2 + y**2) ** 1.5
+    return np.asarray(across * up * np.cos(elevation) / own)
 
 
 def _errors(found: Densities, thickness_m: np.ndarray) -> np.ndarray:

@@ -38,6 +38,9 @@ class StationData:
     opacity: np.ndarray | None = None
     #: (n,) standard errors of it, None where they are not known.
     error: np.ndarray | None = None
+    #: (n,) share of an independent datum that each is: 1/n where n pixels carry one measurement.
+    #: None where each is one.
+    share: np.ndarray | None = None
     #: Horizontal distance within which terrain was ignored, and beyond which it was; m.
     near_field_m: float = 0.0
     max_range_m: float | None = None
@@ -47,7 +50,7 @@ class StationData:
     lost: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        arrays = (self.azimuth_deg, self.elevation_deg, self.opacity, self.error)
+        arrays = (self.azimuth_deg, self.elevation_deg, self.opacity, self.error, self.share)
         shapes = {array.shape for array in arrays if array is not None}
         if shapes != {(len(self.azimuth_deg),)}:
             raise MuyscError(

@@ -17,6 +17,7 @@ from ..errors import MuyscError
 from ..progress import Progress, part, report, silent
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
 from ..radiography.settings import MAXIMUM_DENSITY_G_CM3
+from ..tomography.counting import COUNTS
 from ..tomography.operators import Projector, projector_of
 from ..tomography.projector import MEMORY_LIMIT, Paths, check_memory
 from ..tomography.solvers import Options, method_of, reconstruct
@@ -27,7 +28,7 @@ from ..topography.frame import from_wgs84
 from .ray_data import ray_data
 from .sightlines import Sightlines, lay_sightlines
 from .station_data import RockSeen, StationData, rock_of_all
-from .tomography_result import Tomography, result_of
+from .tomography_result import Tomography, result_of, warnings_after
 from .volume_frame import VolumeFrame, projection_for
 from .volume_plan import VolumePlan, volume_grid
 
@@ -55,7 +56,7 @@ class TomographyChoices:
         If there is no such method or a number is out of range.
     """
 
-    #: Key of `tomography.solvers.METHODS`.
+    #: Key of `tomography.solvers.METHODS`, or `COUNTS`.
     method: str = "bayes"
     options: Options = field(default_factory=Options)
     #: Density (g/cm³) of the rock outside the volume and of the start; None for the mean that the
@@ -71,7 +72,8 @@ class TomographyChoices:
     memory_bytes: int = MEMORY_LIMIT
 
     def __post_init__(self) -> None:
-        method_of(self.method)
+        if self.method != COUNTS:
+            method_of(self.method)
         density = self.reference_density
         if density is not None and not 0 < density <= MAXIMUM_DENSITY_G_CM3:
             raise MuyscError(
@@ -214,6 +216,11 @@ def reconstruct_volume(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
+    if choices.method == COUNTS:
+        raise MuyscError(
+            "The method counts fits rasters of counts, and opacities follow from these muograms; "
+            "choose rasters of counts, or another method such as bayes."
+        )
     _check_voxels(lines.grid, choices.memory_bytes, choices.method)
     known = ray_data(
         lines, choices.reference_density, choices.relative_error, choices.length_error_m
@@ -225,8 +232,11 @@ def reconstruct_volume(
     data = known.opacity / G_CM2_PER_M_WATER_EQUIVALENT - reference * lines.outside_m[used]
     errors = None if known.error is None else known.error / G_CM2_PER_M_WATER_EQUIVALENT
     system = System(projector, data, lines.lattice, paths.rays.view, errors)
+    options = _with_reference(choices.options, reference)
+    # Pixels of one measurement scatter together, so that its error is reached earlier.
+    reached = options.discrepancy * float(np.sqrt(known.share.mean()))
     found = reconstruct(
-        choices.method, system, _with_reference(choices.options, reference),
+        choices.method, system, replace(options, discrepancy=reached),
         part(progress, _BUILT, 1.0),
     )  # fmt: skip
     report(progress, 1.0)
@@ -241,7 +251,10 @@ def reconstruct_volume(
             "densities are smoother than data and prior say; give more iterations."
         )
     warnings += more
-    return result_of(lines, choices.method, system, found, reference, known.lost, warnings)
+    result = result_of(
+        lines, choices.method, system, found, reference, known.lost, warnings, known.share
+    )
+    return replace(result, warnings=(*result.warnings, *warnings_after(result)))
 
 
 def _check_voxels(grid: VoxelGrid, memory_bytes: int, method: str = "") -> None:

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..radiography.constants import G_CM2_PER_M_WATER_EQUIVALENT
-from ..tomography.solvers import Reconstruction
+from ..tomography.counting import COUNTS, COUNTS_TITLE
+from ..tomography.solvers import METHODS, Reconstruction
 from ..tomography.system import System
 from ..tomography.voxels import VoxelGrid
 from ..volume import Volume
@@ -44,7 +45,8 @@ class StationResidual:
     rms: float
     #: RMS over the RMS of the opacity inside the volume; NaN where that is 0.
     relative: float
-    #: Mean square of residuals over their errors; NaN where errors are unknown.
+    #: Square of residuals over their errors for each independent datum; NaN where errors are
+    #: unknown.
     chi_squared: float
 
 
@@ -66,7 +68,8 @@ class Tomography:
     #: ‖data − model‖ over ‖data‖ of the opacities inside the volume.
     relative_residual: float
     rays: int
-    #: Mean square of residuals over their errors, NaN where errors are not known.
+    #: Square of residuals over their errors for each independent datum, 1 for a perfect fit; NaN
+    #: where errors are not known.
     chi_squared: float
     #: Voxels with rock, and those of them that no ray passes.
     rock_voxels: int
@@ -80,6 +83,16 @@ class Tomography:
     def grid(self) -> VoxelGrid:
         """The voxels in the CRS of the volume."""
         return self.density.grid
+
+    @property
+    def method_title(self) -> str:
+        """What the method is called in texts."""
+        return COUNTS_TITLE if self.method == COUNTS else METHODS[self.method].title
+
+    @property
+    def mask(self) -> bool:
+        """Whether the terrain was known, so that all voxels hold rock."""
+        return self.density.metadata.get("TERRAIN_MASK") != "no"
 
     @property
     def mean_density(self) -> float:
@@ -120,6 +133,7 @@ def result_of(
     reference: float,
     lost: Mapping[str, int],
     warnings: Sequence[str],
+    share: np.ndarray | None = None,
 ) -> Tomography:
     """Put everything back on the map.
 
@@ -135,7 +149,10 @@ def result_of(
         Pixels that say nothing, by cause.
     warnings
         One sentence each.
+    share
+        (n_rays,) share of an independent datum that each ray is; None for one each.
     """
+    share = np.ones(len(system.data)) if share is None else share
     lattice = system.lattice
     rays = system.paths.coverage()
     seen = rays > 0
@@ -168,11 +185,11 @@ def result_of(
             Place(one.name, *lines.frame.place(one.longitude, one.latitude), one.elevation_m)
             for one in lines.stations
         ),
-        target=_target(lines),
-        residuals=tuple(_residuals(lines, system, residual)),
+        target=target_of(lines),
+        residuals=tuple(_residuals(lines, system, residual, share)),
         relative_residual=_relative(residual, system.data),
         rays=len(system.data),
-        chi_squared=_chi_squared(system, residual, slice(None)),
+        chi_squared=_chi_squared(system, residual, share, slice(None)),
         rock_voxels=lattice.count,
         unseen_voxels=int(np.count_nonzero(~seen)),
         lost=lost,
@@ -180,7 +197,7 @@ def result_of(
     )
 
 
-def _target(lines: Sightlines) -> Place | None:
+def target_of(lines: Sightlines) -> Place | None:
     """Return the middle of what the stations look at."""
     targets = [one.target for one in lines.stations if one.target is not None]
     if not targets:
@@ -189,7 +206,9 @@ def _target(lines: Sightlines) -> Place | None:
     return Place("target", *lines.frame.place(longitude, latitude), height)
 
 
-def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[StationResidual]:
+def _residuals(
+    lines: Sightlines, system: System, residual: np.ndarray, share: np.ndarray
+) -> list[StationResidual]:
     rows = []
     for number, station in enumerate(lines.stations):
         which = np.flatnonzero(system.view == number)
@@ -201,16 +220,58 @@ def _residuals(lines: Sightlines, system: System, residual: np.ndarray) -> list[
                 G_CM2_PER_M_WATER_EQUIVALENT * float(left.mean()) if which.size else np.nan,
                 G_CM2_PER_M_WATER_EQUIVALENT * _rms(left),
                 _relative(left, system.data[which]),
-                _chi_squared(system, residual, which) if which.size else np.nan,
+                _chi_squared(system, residual, share, which) if which.size else np.nan,
             )
         )
     return rows
 
 
-def _chi_squared(system: System, residual: np.ndarray, which: np.ndarray | slice) -> float:
+def _chi_squared(
+    system: System, residual: np.ndarray, share: np.ndarray, which: np.ndarray | slice
+) -> float:
+    """Return the sum of squares over errors, for each independent datum."""
     if system.errors is None:
         return np.nan
-    return float(np.mean((residual[which] / system.errors[which]) ** 2))
+    square = np.sum((residual[which] / system.errors[which]) ** 2)
+    return float(square / np.sum(share[which]))
+
+
+#: χ² per datum above which the densities do not explain the data.
+MOST_CHI_SQUARED = 1.5
+
+#: Densities (g/cm³) of rock, and the share of voxels beyond them that is worth a word.
+LEAST_DENSITY, MOST_DENSITY, _SHARE = 0.5, 3.5, 0.005
+
+
+def warnings_after(result: Tomography) -> list[str]:
+    """Return a sentence for each thing that the densities show to be wrong."""
+    said = []
+    if result.chi_squared > MOST_CHI_SQUARED:
+        worst = max(result.residuals, key=lambda one: np.nan_to_num(one.chi_squared))
+        more = ""
+        if result.reconstruction.stopped_by == "iterations":
+            more = ", and give more iterations, as these did not suffice"
+        said.append(
+            f"The densities do not explain the data (χ² is {result.chi_squared:.3g} per datum, "
+            f"where 1 is perfect, and {worst.chi_squared:.3g} of {worst.name}): errors are too "
+            "small, muograms contradict each other, or wide pixels see thin and thick rock at "
+            f"once; check them, or fit counts (method counts){more}."
+        )
+    return said + beyond_rock(result.density.values[result.density.known], result.mask)
+
+
+def beyond_rock(densities: np.ndarray, mask: bool = True) -> list[str]:
+    """Return the sentence on densities that no rock has, none where air is among the voxels."""
+    low, high = densities < LEAST_DENSITY, densities > MOST_DENSITY
+    share = float(np.mean(low | high)) if len(densities) and mask else 0.0
+    if share <= _SHARE:
+        return []
+    return [
+        f"{100 * share:.2g} % of the voxels have densities beyond {LEAST_DENSITY} to "
+        f"{MOST_DENSITY} g/cm³ ({densities.min():.3g} to {densities.max():.3g}), which are those "
+        "of no rock: noise or a wrong terrain drives them; give a smaller deviation of the prior "
+        "(PRIOR_DEVIATION), larger errors, or bounds."
+    ]
 
 
 def _relative(residual: np.ndarray, data: np.ndarray) -> float:

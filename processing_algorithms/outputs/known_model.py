@@ -47,7 +47,20 @@ NUMBERS = (
     ("RESIDUAL", "Residual over data"),
     ("CHI_SQUARED", "Mean square of residuals over their errors"),
     ("ITERATIONS_DONE", "Iterations done"),
+    ("SIGNIFICANCE", "Standard errors of the body at its place"),
+    ("SIGNIFICANCE_OVERALL", "Standard errors of the body among all places"),
+    ("SURVEYS_SEEING", "Surveys that see the body (%)"),
+    ("FALSE_ALARMS", "Surveys that see a body where there is none (%)"),
+    ("CONTRAST_SPREAD", "Standard deviation of the contrast over the surveys"),
+    ("PLACE_ERROR", "Distance of the largest signal from the body (m)"),
 )
+
+
+#: Those that only the method counts tells.
+_OF_VERDICT = (
+    "SIGNIFICANCE", "SIGNIFICANCE_OVERALL", "SURVEYS_SEEING", "FALSE_ALARMS", "CONTRAST_SPREAD",
+    "PLACE_ERROR",
+)  # fmt: skip
 
 
 def known_model_outputs() -> list[QgsProcessingParameterDefinition]:
@@ -79,7 +92,15 @@ def numbers(found: KnownModelResult) -> dict[str, float]:
         for name, error in paper_errors(result, found.truth).items()
         for kind, value in (("ERROR", error.mean), ("SIGMA", error.deviation))
     }
+    verdict = found.verdict
+    nothing = float("nan")
     return views | {
+        "SIGNIFICANCE": nothing if verdict is None else verdict.significance,
+        "SIGNIFICANCE_OVERALL": nothing if verdict is None else verdict.overall,
+        "SURVEYS_SEEING": nothing if verdict is None else 100 * verdict.seen,
+        "FALSE_ALARMS": nothing if verdict is None else 100 * verdict.false_alarms,
+        "CONTRAST_SPREAD": nothing if verdict is None else verdict.contrast_spread,
+        "PLACE_ERROR": nothing if verdict is None else verdict.place_m,
         "CONTRAST": found.contrast,
         "RELATIVE_L2": found.relative_error,
         "SPREAD": found.spread,
@@ -112,7 +133,11 @@ def stage_known_model(
         results[TRUTH] = path
     table = table_destination(algorithm, parameters, TABLE, context)
     if table is not None:
-        rows: list[tuple[str, float]] = [(label, values[name]) for name, label in NUMBERS]
+        rows: list[tuple[str, float]] = [
+            (label, values[name])
+            for name, label in NUMBERS
+            if found.verdict is not None or name not in _OF_VERDICT
+        ]
         for body in found.bodies:
             rows.append((f"Body {body.name}: contrast found over the true one", body.contrast))
             rows.append((f"Body {body.name}: voxels", body.voxels))

@@ -24,6 +24,7 @@ from ...muysc_qgis.radiography.gaisser import GAISSER_PARAMETERS
 from ...muysc_qgis.radiography.materials import MATERIALS
 from ...muysc_qgis.radiography.spectra import MODELS
 from ...muysc_qgis.telescope.presets import CUSTOM, PRESETS
+from ...muysc_qgis.tomography.counting import COUNTS, COUNTS_TITLE
 from ...muysc_qgis.tomography.solvers import METHODS
 from ..language import english_label
 from ..parameters.telescope import NONE, SIZES
@@ -51,8 +52,16 @@ _ONLY_FOR: dict[str, dict[str, tuple[str, ...]]] = {
         "REGULARIZATION": (*_PENALISED, "tv", "grad", "tikhonov", "lsmr"),
         "SUBSETS": ("bart", "osem", "ospml-quad", "ospml-hybrid"),
         "EDGE_DENSITY": ("pml-hybrid", "ospml-hybrid"),
-        "PRIOR_DEVIATION": ("bayes",),
-        "CORRELATION_LENGTH": ("bayes",),
+        "PRIOR_DEVIATION": ("bayes", COUNTS),
+        "CORRELATION_LENGTH": ("bayes", COUNTS),
+        "EFFICIENCY": (COUNTS,),
+        "DRAWS": (COUNTS,),
+        "MEAN_DEVIATION": (COUNTS,),
+        "STATION_ERROR": (COUNTS,),
+        "FLUX_ERROR": (COUNTS,),
+        "POINTING_ERROR": (COUNTS,),
+        "TERRAIN_ERROR": (COUNTS,),
+        "TERRAIN_LENGTH": (COUNTS,),
         "POSTERIOR_SAMPLES": ("bayes",),
     },
     "MODEL": {
@@ -139,6 +148,8 @@ def _title(name: str, word: str) -> str:
 
     if name == "ENERGY_LOSS":
         return LAW_TITLES.get(word, word)
+    if (name, word) == ("METHOD", COUNTS):
+        return COUNTS_TITLE
     known = _TITLED.get(name, {}).get(word)
     return word.replace("_", " ") if known is None else known.title
 

@@ -32,7 +32,7 @@ _RASTERS = (
     ("COVERAGE", "coverage", "coverage", "Number of rays through each voxel with rock."),
     (
         "DENSITY_ERROR", "density_error", "deviation",
-        "Standard error of each density, of the method bayes.",
+        "Standard error of each density, of the methods bayes and counts.",
     ),
 )  # fmt: skip
 

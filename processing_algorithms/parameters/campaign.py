@@ -53,6 +53,24 @@ def campaign_parameters() -> list[QgsProcessingParameterDefinition]:
     ]  # fmt: skip
 
 
+def survey_parameters() -> list[QgsProcessingParameterDefinition]:
+    """Declare what a survey that counts along trajectories needs beside."""
+    return [
+        number(
+            "EFFICIENCY", "Detection efficiency (%)",
+            "Give the share of the muons that are counted, in %, above 0 and up to 100; for the "
+            "method counts.",
+            100.0, 0, 100, advanced=True,
+        ),
+        number(
+            "DRAWS", "Surveys drawn",
+            "Give how many surveys are drawn for the verdict of the method counts, 1 to 1000; the "
+            "densities are those of the first.",
+            3, 1, 1000, advanced=True, whole=True,
+        ),
+    ]  # fmt: skip
+
+
 def read_campaign(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> Campaign:

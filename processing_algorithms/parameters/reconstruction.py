@@ -11,6 +11,7 @@ from qgis.core import (
 )
 
 from ...muysc_qgis.radiography.settings import MAXIMUM_DENSITY_G_CM3
+from ...muysc_qgis.tomography.counting import COUNTS, COUNTS_TITLE
 from ...muysc_qgis.tomography.solvers import METHODS, ORDERINGS, PARALLEL_ONLY, Options, method_of
 from ...muysc_qgis.workflows.tomography import TomographyChoices
 from .values import (
@@ -29,13 +30,15 @@ from .volume import read_memory
 def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
     """Declare the method and its settings."""
     methods = "; ".join(f"{name}: {method.title}" for name, method in METHODS.items())
+    methods += f"; {COUNTS}: {COUNTS_TITLE}"
     return [
         choice(
             "METHOD", "Method",
             f"How densities are found. {methods}. Those of the family art and sirt follow the "
             "data alone; pml, tv, grad, tikhonov and lsmr prefer smooth models, tv with sharp "
-            "edges; bayes weighs data against a prior and tells its errors.",
-            list(METHODS), TomographyChoices().method,
+            "edges; bayes weighs data against a prior and tells its errors; counts does so for "
+            "rasters of counts, with trajectories as wide as they are and pixels without a muon.",
+            [*METHODS, COUNTS], TomographyChoices().method,
         ),
         number(
             "ITERATIONS", "Iterations (empty: the method's own)",
@@ -112,12 +115,13 @@ def reconstruction_parameters() -> list[QgsProcessingParameterDefinition]:
         number(
             "PRIOR_DEVIATION", "Standard deviation of the prior (g/cm³)",
             "Give how far densities are from the reference before any muon, in g/cm³, above 0; "
-            "for bayes.",
+            "for bayes and counts.",
             0.2, 0, advanced=True,
         ),
         number(
             "CORRELATION_LENGTH", "Correlation length of the prior (m)",
-            "Give the distance in m, above 0, over which densities are alike; for bayes.",
+            "Give the distance in m, above 0, over which densities are alike; for bayes and "
+            "counts.",
             200.0, 0, advanced=True,
         ),
         number(

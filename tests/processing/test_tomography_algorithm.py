@@ -254,7 +254,7 @@ def test_other_quantities_are_refused(run, setting, muograms):
     mixed = [muograms["opacity"][0], muograms["flux"][1]]
     with pytest.raises(QgsProcessingException, match=r"different quantities: opacity .* flux"):
         run("tomography", {**setting, "MUOGRAMS": mixed})
-    with pytest.raises(QgsProcessingException, match=r"hold counts, and opacity follows from"):
+    with pytest.raises(QgsProcessingException, match=r"lacks the metadata key DAYS"):
         run("tomography", {**setting, "MUOGRAMS": muograms["counts"]})
     with pytest.raises(QgsProcessingException, match=r"lacks the metadata key QUANTITY"):
         run("tomography", {**setting, "MUOGRAMS": [setting["DEM"]]})

@@ -47,6 +47,42 @@ def test_merged_pixels_weigh_as_much_as_their_region(dem, thickness, minimum_cou
     np.testing.assert_allclose(weights, share / ERROR**2, rtol=1e-9)
 
 
+@pytest.mark.parametrize("model", [0.03, 0.06])
+def test_the_error_of_the_flux_model_is_common_and_taken_out(dem, thickness, model):
+    """The error of `density` with and without it: what is left is the counting error."""
+    from muysc_qgis.measurement.density import Scene, measure_density
+    from muysc_qgis.measurement.observation import from_counts
+    from muysc_qgis.radiography.transmission import attenuate
+
+    elevation = thickness.elevation_deg[:, None]
+    altitude = thickness.number("DETECTOR_ELEVATION")
+    flux = attenuate(100 * 2.4 * thickness.values, elevation, Physics(), altitude).flux
+    seen = from_counts(np.full(flux.shape, 1000.0), 1.0, 1000.0 / flux, 0.95)
+    plain, both = (
+        measure_density(seen, Scene(thickness.values, elevation, Physics(), altitude, share), 0.0)
+        for share in (0.0, model)
+    )
+    said = {"MODEL_UNCERTAINTY": model}
+    density = NamedView("a", thickness.with_values("density", both.density, **said))
+    errors = NamedView("b", thickness.with_values("density_error", both.error, **said))
+    data = read_survey([density], [errors], dem)
+    found = data.stations[0].error / (100.0 * data.rock[0].thickness_m)
+    np.testing.assert_allclose(found, plain.error.ravel(), rtol=0.1)
+    assert np.all(both.error > 1.3 * plain.error)
+    assert sum("common to all pixels" in text for text in data.warnings) == 1
+
+
+def test_pixels_without_a_muon_that_are_left_out_are_told(dem, thickness):
+    values = np.full(thickness.values.shape, 2.4)
+    errors = np.where(np.arange(values.size).reshape(values.shape) < 5, np.nan, 0.1)
+    for minimum, told in ((0.0, True), (20.0, False)):
+        said = {"MINIMUM_COUNTS": minimum, "FLAGS": "0 unknown"}
+        density = NamedView("a", thickness.with_values("density", values, **said))
+        error = NamedView("b", thickness.with_values("density_error", errors, **said))
+        warnings = read_survey([density], [error], dem).warnings
+        assert any("5 pixels counted no muon" in text for text in warnings) is told
+
+
 def test_errors_find_their_muograms_in_any_order(dem, views):
     given = views("opacity")[:3]
     errors = [

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...tomography.solvers import METHODS
 from ...topography.dem import Dem
 from ...topography.relief import Relief, relief_on_map
 from ...workflows.provenance import describe_transformation
@@ -204,7 +203,7 @@ def _report(
     pixels += [PixelCount("Not used", count, cause) for cause, count in lost.items() if count]
     told = Report(
         title=title,
-        subtitle=f"{METHODS[tomography.method].title} from {len(tomography.stations)} stations on "
+        subtitle=f"{tomography.method_title} from {len(tomography.stations)} stations on "
         f"the elevation model {dem.name}",
         figures=drawn,
         results=[*rows, *transformation_rows(describe_transformation(dem))],

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...tomography.solvers import METHODS
 from ...topography.relief import Relief
 from ...workflows.tomography_result import Place, Tomography
 from .. import style, ticks
@@ -141,7 +140,7 @@ def _described(tomography: Tomography) -> list[str]:
     stations = len(tomography.stations)
     residual = ticks.number_label(float(f"{100 * tomography.relative_residual:.2g}"))
     return [
-        f"{METHODS[tomography.method].title}, {found.iterations_done} iterations: "
+        f"{tomography.method_title}, {found.iterations_done} iterations: "
         f"{_ENDED[found.stopped_by]}  ·  {stations} station{'s' * (stations > 1)}, "
         f"{tomography.rays} rays",
         f"{voxels} voxels of {edges} m, {tomography.seen_voxels} of {tomography.rock_voxels} "
