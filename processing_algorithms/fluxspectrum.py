@@ -107,8 +107,8 @@ class FluxSpectrum(MuyscAlgorithm):
             *shared,
             number(
                 "ALTITUDE", "Altitude of the detector (m)",
-                "Give the height above sea level in m, −1000 to 10000; it counts where the "
-                "correction for altitude is on.",
+                "Give the height above sea level in m, −1000 to 10000. For the formulas it counts "
+                "where the correction for altitude is on.",
                 0.0, -1000, 10_000,
             ),
             choices(

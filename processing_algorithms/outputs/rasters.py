@@ -51,10 +51,14 @@ _HELP = {
     "measured, 5 no density explains the flux, 6 too little rock to dim it, 7 skyline or rock of "
     "many lengths in it.",
     "density_regions": "Number of the region of merged pixels that shares one density, from 1.",
-    "flux_minimum": "Smallest flux over the models that hold for the ray's energy and zenith.",
-    "flux_maximum": "Largest flux over the models that hold for the ray's energy and zenith.",
-    "density_minimum": "Smallest density over the flux models that hold for the ray.",
-    "density_maximum": "Largest density over the flux models that hold for the ray.",
+    "flux_minimum": "One standard error of the flux model below the flux; with a formula, the "
+    "smallest flux over those that hold for the ray's energy and zenith.",
+    "flux_maximum": "One standard error of the flux model above the flux; with a formula, the "
+    "largest flux over those that hold for the ray's energy and zenith.",
+    "density_minimum": "Density with a flux one standard error of the model lower; with a "
+    "formula, the smallest over those that hold for the ray.",
+    "density_maximum": "Density with a flux one standard error of the model higher; with a "
+    "formula, the largest over those that hold for the ray.",
 }
 
 
