@@ -139,7 +139,7 @@ class Density(MuyscAlgorithm):
                 "MODEL_UNCERTAINTY", "Uncertainty of the flux model (%, empty: the model's own)",
                 "Give the relative uncertainty of the flux in %, from 0 to below 100. It is the "
                 "same for all pixels and does not average out. Empty takes the standard error of "
-                "gsf-sibyll at the minimum energies, 5 % to 10 % as a rule, or 15 % for a formula.",
+                "gsf-sibyll at the minimum energies, 5 % to 12 % as a rule, or 15 % for a formula.",
                 None, 0, 100,
             ),
             number(

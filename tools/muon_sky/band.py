@@ -4,7 +4,7 @@ Added in quadrature, each a relative standard error:
 
 - 4 % everywhere: season and pressure (2 to 4 % of the open sky, 1 % behind rock), and the
   spread of spectrometers among each other where all of them are at their best;
-- up to 6 % towards the horizon, where spectrometers that were left out of the fit scatter
+- up to 11 % towards the horizon, where spectrometers that were left out of the fit scatter
   by that much and more, and where nothing vertical tells kaons from pions;
 - the Sun and the geomagnetic cutoff, which move the primaries below some tens of GeV: 10 %
   of vertical muons above 1 GeV/c, falling as the energy that the muon had where it was made;
@@ -22,7 +22,7 @@ from __future__ import annotations
 import numpy as np
 
 _EVERYWHERE = 0.04
-_INCLINED = 0.06
+_INCLINED = 0.11
 _SUN_AT_1_GEV, _LOSS_GEV = 0.10, 2.0
 _DECAY = 1.0 / 12.0
 _HIGH, _HIGH_FROM_GEV = 0.04, 100.0

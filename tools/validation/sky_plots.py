@@ -72,7 +72,7 @@ def altitude(mulder: ModuleType | None) -> Figure:
     style.add_heading(
         figure, "What altitude does",
         ["Flux at an altitude over that at the sea. Lines: the muon sky; crosses: losses and "
-         "decay by mulder; dotted: the law exp(h/h₀) of the formulas, which has no angle."],
+         "decay by mulder;", "dotted: the law exp(h/h₀) of the formulas, which has no angle."],
     )  # fmt: skip
     width = (style.WIDTH_IN - charts.LEFT_IN - charts.RIGHT_IN - 0.9) / 3
     momentum = np.geomspace(2.0, 1000.0, 40)

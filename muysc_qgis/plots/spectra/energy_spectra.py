@@ -82,9 +82,10 @@ def draw(figure: Figure, top_in: float, comparison: Comparison) -> None:
 def _lines(comparison: Comparison, reference: str) -> list[str]:
     altitude = comparison.altitude_m if comparison.physics.altitude_counts else 0.0
     where = "at sea level" if altitude == 0 else f"at {altitude:g} m above sea level"
+    band = " Shaded: its standard error." if MODELS[reference].tabulated else ""
     return [
         f"Muons from the open sky {where}; below, each model divided by "
-        f"{MODELS[reference].title}. Faded: outside the energies or angles a model is made for."
+        f"{MODELS[reference].title}.{band} Faded: outside what a model is made for."
     ]
 
 
@@ -178,11 +179,11 @@ def _draw_legend(figure: Figure, top_in: float, comparison: Comparison) -> None:
         artists.append(
             Line2D([], [], color=style.INK, linestyle="", marker=looks.MEASURED[name], **_DOTS)
         )
-        labels.append(f"{name}, carried to the angle")
+        labels.append(f"{name}, scaled to the angle")
     if np.isfinite(comparison.minimum_energy_gev):
         artists.append(Patch(facecolor=looks.COUNTED, alpha=0.55, linewidth=0))
         labels.append(
-            f"gets through {ticks.number_label(comparison.thickness_m)} m of rock "
+            f"through {ticks.number_label(comparison.thickness_m)} m of rock "
             f"({MODELS[reference_model(comparison)].title})"
         )
     charts.legend(figure, top_in + 0.66, artists, labels, 4)
