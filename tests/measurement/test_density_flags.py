@@ -1,5 +1,7 @@
 """Pixels without a plain density: limits, bright, unknown; and what is refused."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -17,7 +19,7 @@ from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.transmission import attenuate
 
 ELEVATION_DEG = np.array([[12.0], [6.0]])
-PHYSICS = Physics(altitude_correction=False)
+PHYSICS = Physics(flux_model="gaisser-tang", altitude_correction=False)
 
 
 def scene(thickness=((100.0, 400.0), (300.0, 900.0)), elevation=ELEVATION_DEG, uncertainty=0.0):
@@ -115,7 +117,7 @@ def test_rock_that_stops_no_muon_has_no_density():
         assert np.isnan(found.density[:, 0]).all()
         assert np.all(found.flags[:, 1] == Flag.MEASURED)
     # A threshold below which nothing counts makes any rock count.
-    strict = Physics(altitude_correction=False, detection_threshold_gev=1.0)
+    strict = replace(PHYSICS, detection_threshold_gev=1.0)
     assert not Scene(there.thickness_m, ELEVATION_DEG, strict, 0.0).too_thin.any()
 
 
