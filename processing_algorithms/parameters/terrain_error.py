@@ -15,8 +15,11 @@ from .values import number, read_number
 
 
 def terrain_error_parameters() -> list[QgsProcessingParameterDefinition]:
-    """Declare the errors of terrain and pointing, and how far those of the terrain are alike."""
-    return [
+    """Declare the errors of terrain and pointing, and how far those of the terrain are alike.
+
+    Optional, so that models from before they were there stay complete.
+    """
+    declared = [
         number(
             "TERRAIN_ERROR", "Error of the terrain (m)",
             "Give the standard error of the terrain's heights on the mountain in m, 0 to 1000: "
@@ -38,6 +41,10 @@ def terrain_error_parameters() -> list[QgsProcessingParameterDefinition]:
             0.0, 0, 30, advanced=True,
         ),
     ]  # fmt: skip
+    optional = QgsProcessingParameterDefinition.Flag.FlagOptional
+    for parameter in declared:
+        parameter.setFlags(parameter.flags() | optional)
+    return declared
 
 
 def read_terrain_errors(

@@ -19,7 +19,7 @@ from muysc_qgis.radiography.settings import Physics
 from muysc_qgis.radiography.transmission import attenuate
 
 ELEVATION_DEG = np.array([[12.0], [6.0]])
-PHYSICS = Physics(altitude_correction=False)
+PHYSICS = Physics(flux_model="gaisser-tang", altitude_correction=False)
 
 
 def scene(thickness=((100.0, 400.0), (300.0, 900.0)), elevation=ELEVATION_DEG, uncertainty=0.0):

@@ -14,7 +14,7 @@ from muysc_qgis.topography.dem import open_dem
 from muysc_qgis.topography.sight import take_sight
 from muysc_qgis.workflows.expected_counts import expected_counts
 
-PHYSICS = Physics()
+PHYSICS = Physics(flux_model="gaisser-tang")
 TELESCOPE = TelescopeGeometry(8, 8, 10.0, 200.0)
 
 
@@ -258,7 +258,7 @@ def test_maps_describe_themselves(counted, at_target):
     assert metadata["BARS_X"] == 8
     assert metadata["SEPARATION"] == 200
     assert metadata["BORESIGHT_AZIMUTH"] == at_target.azimuth_deg
-    assert metadata["FLUX_MODEL"] == "gsf-sibyll"
+    assert metadata["FLUX_MODEL"] == PHYSICS.flux_model
     assert counted.maps["counts"].pointing == at_target
 
 
