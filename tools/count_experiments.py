@@ -102,13 +102,18 @@ def sphere(
     rows = []
     distance, middle = fits.body(terrain)
     inside, around = distance < SPHERE_RADIUS_M, fits.seen & (distance > 2 * SPHERE_RADIUS_M)
+    near = fits.seen & (distance < 4 * SPHERE_RADIUS_M)
+    balls = np.stack([
+        fits.seen & (np.linalg.norm(fits.centres - one, axis=1) < SPHERE_RADIUS_M)
+        for one in fits.centres[near]
+    ]).astype(float)  # fmt: skip
+    counts = balls.sum(axis=1)
     for seed in range(draws):
         found = fits.fit(poisson(means, seed), CountPriors(ROCK))
         off = found.densities - found.densities[around].mean()
-        # The middle of the lightest part near the body, weighed by how light it is.
-        near = fits.seen & (distance < 3 * SPHERE_RADIUS_M)
-        light = np.where(near, np.maximum(0.5 * off[near].min() - off, 0.0), 0.0)
-        place = light @ fits.centres / light.sum()
+        # The middle of the ball of its size that is lightest on the mean.
+        means_of = np.where(counts > 0.5 * counts.max(), balls @ off / np.maximum(counts, 1), 0.0)
+        place = fits.centres[near][int(np.argmin(means_of))]
         rows.append((off[inside].mean() / CONTRAST, np.linalg.norm(place - middle)))
     contrast, apart = np.mean(rows, axis=0)
     print(f"\nSphere of {SPHERE_RADIUS_M:g} m, {len(world.sites)} stations, {draws} draws")

@@ -24,16 +24,13 @@ _HALVINGS = 6
 
 #: Relative accuracy of the solution of each step, of the last digits that matter, and of
 #: what only errors follow from.
-_ACCURACY, _ROUGH = 1e-4, 1e-2
+_ACCURACY, _ROUGH = 1e-4, 5e-2
 
 #: Largest change of ln μ by factors and boresights.
 _FAR = 20.0
 
 #: Deviation (g/cm³) of voxels that have none, and iterations that suffice then.
 _NO_DEVIATION, _UNIFORM_ITERATIONS = 1e-5, 100
-
-#: Random vectors from which the number of parameters that the data settle is estimated.
-_PROBES = 2
 
 #: Draws of the terrain's errors from which the size of their effect is known to 18 %.
 _DRAWS = 16
@@ -337,21 +334,18 @@ class _Search:
         """Return the errors of the single numbers and the number of parameters, to a per cent."""
         generator = np.random.default_rng(0)
         count = len(space.deviations)
-        left = 0.0
-        for probe in range(_PROBES):
-            noise = generator.choice([-1.0, 1.0], space.size)
-            share = part(progress, probe / (count + _PROBES), (probe + 1) / (count + _PROBES))
-            left += float(noise @ space.solve(noise, most, _ROUGH, None, share)[0]) / _PROBES
-        after = space.deviations.copy()
-        for number, deviation in enumerate(space.deviations):
-            share = part(
-                progress, (number + _PROBES) / (count + _PROBES),
-                (number + 1 + _PROBES) / (count + _PROBES),
-            )  # fmt: skip
-            column = space.columns[:, number] * deviation
-            explained = column @ space.solve(column, most, _ROUGH, None, share)[0]
-            after[number] = deviation * np.sqrt(max(1.0 - explained, 0.0))
-        return after, space.size - left
+        noise = generator.choice([-1.0, 1.0], space.size)
+        left = float(noise @ space.solve(noise, most, _ROUGH, None, part(progress, 0.0, 0.1))[0])
+        # From K without the single numbers, in which nothing cancels: (D⁻¹ + Uᵀ K⁻¹ U)⁻¹.
+        alone = replace(space, columns=space.columns[:, :0], deviations=space.deviations[:0])
+        settled = np.empty((space.size, count))
+        for number in range(count):
+            share = part(progress, 0.1 + 0.9 * number / count, 0.1 + 0.9 * (number + 1) / count)
+            settled[:, number] = alone.solve(space.columns[:, number], most, _ROUGH, None, share)[0]
+        inner = space.columns.T @ settled
+        root = space.deviations
+        whole = np.eye(count) + root[:, None] * 0.5 * (inner + inner.T) * root
+        return root * np.sqrt(np.diag(np.linalg.inv(whole))), space.size - left
 
     def _bands(self, state: _State, after: np.ndarray) -> tuple[Band, ...]:
         """Return the single numbers: densities and angles as they are, factors as factors."""
