@@ -1,24 +1,25 @@
 """Sub-rays through the trajectories of a telescope.
 
 The response of a trajectory falls linearly from its middle to zero at the middles of its
-neighbours (`telescope.quadrature`), so that a cell between four trajectories is seen by all of
+neighbours (`forward.responses`), so that a cell between four trajectories is seen by all of
 them: nodes of Gauss–Legendre quadrature in each cell serve four trajectories at once. Cells of
 the sky get few nodes, cells in which rock begins many.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from ..forward.responses import TelescopeResponses
 from ..progress import Progress, silent
 from ..telescope.directions import Pointing
 from ..telescope.geometry import TelescopeGeometry
 from ..telescope.merging import merge_sum
-from ..telescope.quadrature import corner_tangents
-from ..telescope.sky_table import grid_around
+from ..telescope.sky import corner_tangents
 from ..tomography.libraries import scipy_part
 from ..topography.frame import LocalFrame
 from ..topography.tracing import trace_terrain
@@ -100,12 +101,19 @@ def look_around(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    grid = grid_around(geometry, pointing, RAYS_PER_CELL)
-    azimuth, elevation = np.meshgrid(grid.azimuth_deg, grid.elevation_deg)
+    window = TelescopeResponses(geometry, pointing).window
+    step = window.step_deg[0] / RAYS_PER_CELL
+    columns, rows = (
+        np.linspace(low, high, max(2, math.ceil((high - low) / step) + 1))
+        for low, high in (
+            (window.left_deg, window.right_deg), (window.low_deg, window.high_deg),
+        )
+    )  # fmt: skip
+    azimuth, elevation = np.meshgrid(columns, rows)
     x, y = pointing.plane(azimuth.ravel(), elevation.ravel())
     place = geometry.bars_y - y / geometry.step, geometry.bars_x + x / geometry.step
     return cells_of(
-        grid.azimuth_deg, grid.elevation_deg, place, (2 * geometry.bars_y, 2 * geometry.bars_x),
+        columns, rows, place, (2 * geometry.bars_y, 2 * geometry.bars_x),
         (frame, eye_m), max_range_m, near_field_m, progress,
     )  # fmt: skip
 

@@ -119,7 +119,7 @@ def beams_of(
     Cancelled
         If the receiver of the progress asks for a stop.
     """
-    x, y = from_wgs84(dem.crs, station.longitude, station.latitude)
+    x, y = from_wgs84(dem.crs, station.longitude, station.latitude, dem.transformation)
     frame = local_frame(dem, x, y, f"detector of {station.name}")
     eye = frame, station.elevation_m
     limits = station.max_range_m, station.near_field_m
