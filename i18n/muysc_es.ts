@@ -1796,6 +1796,630 @@
       <translation>Tiempo de los recorridos de los rayos, una vez para todos (s)</translation>
     </message>
     <message>
+      <source>Can this survey see it?</source>
+      <translation>¿Puede verlo esta campaña?</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;Shows before a campaign what its muon tomography can find. It puts a known body into the mountain, counts the muons that telescopes would count, reconstructs the densities from them, and says how much of the body is found again.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;Muestra antes de una campaña lo que puede encontrar su tomografía de muones. Pone un cuerpo conocido en la montaña, cuenta los muones que contarían los telescopios, reconstruye con ellos las densidades y dice cuánto del cuerpo se recupera.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;How to use it.&lt;/b&gt; Choose an elevation model, click the target, and choose a body. The telescopes stand on the sites of a layer, or on a ring around the target. Each site of the ring is moved a little, to the flattest ground nearby; a steepest slope and a free view may be asked for, and sites without both are left out and counted.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Cómo se usa.&lt;/b&gt; Elija un modelo de elevación, haga clic en el objetivo y elija un cuerpo. Los telescopios están en los sitios de una capa, o en un anillo alrededor del objetivo. Cada sitio del anillo se desplaza un poco, hasta el suelo más plano cercano; se puede pedir una pendiente máxima y una vista libre, y los sitios sin ambas se omiten y se cuentan.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;The known model.&lt;/b&gt; &lt;i&gt;conduit&lt;/i&gt;: an upright cylinder. &lt;i&gt;sphere&lt;/i&gt;. &lt;i&gt;checkerboard&lt;/i&gt;: every other cube, to see where details are resolved. &lt;i&gt;uniform&lt;/i&gt;: no body at all, so that whatever structure comes out is noise. &lt;i&gt; polygons&lt;/i&gt;: bodies from a layer with the fields &lt;i&gt;density&lt;/i&gt; (g/cm³), &lt;i&gt;base&lt;/i&gt; and &lt;i&gt;top&lt;/i&gt; (m above sea level). The rock around has the density given with the physics.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;El modelo conocido.&lt;/b&gt; &lt;i&gt;conduit&lt;/i&gt;: un cilindro vertical (conducto). &lt;i&gt;sphere&lt;/i&gt;: una esfera. &lt;i&gt;checkerboard&lt;/i&gt;: uno de cada dos cubos (tablero), para ver dónde se resuelven los detalles. &lt;i&gt;uniform&lt;/i&gt;: ningún cuerpo, de modo que toda estructura que aparezca es ruido. &lt;i&gt; polygons&lt;/i&gt;: cuerpos de una capa con los campos &lt;i&gt;density&lt;/i&gt; (g/cm³), &lt;i&gt;base&lt;/i&gt; y &lt;i&gt;top&lt;/i&gt; (m sobre el nivel del mar). La roca alrededor tiene la densidad indicada con la física.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;What it does.&lt;/b&gt; The thickness of rock comes from the elevation model as in &lt;i&gt;Muon radiography&lt;/i&gt;, the body from voxels of half the size; so the data are not made by the matrix that is inverted. The flux behind it, the acceptance and the days give the muons expected, and counts are drawn from them; the same seed draws the same counts. Counts are turned back into opacity with their errors, as in &lt;i&gt;Density from a measured muogram&lt;/i&gt;. Neighbouring pixels are merged up to a number of counts: pixels without a muon say no density, and leaving them out would make the rock look too light. Then the densities are found as in &lt;i&gt;Muon tomography&lt;/i&gt;. The real terrain is known better or worse than its model; here the model is the truth.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Qué hace.&lt;/b&gt; El espesor de roca viene del modelo de elevación como en &lt;i&gt;Radiografía de muones&lt;/i&gt;, y el cuerpo de vóxeles de la mitad del tamaño; así los datos no se hacen con la matriz que se invierte. El flujo detrás, la aceptancia y los días dan los muones esperados, y de ellos se sortean los conteos; la misma semilla da los mismos conteos. Los conteos se convierten de nuevo en opacidad con sus errores, como en &lt;i&gt;Densidad a partir de un muograma medido&lt;/i&gt;. Los píxeles vecinos se agrupan hasta cierto número de conteos: los píxeles sin ningún muon no dicen densidad, y omitirlos haría parecer la roca demasiado ligera. Luego se buscan las densidades como en &lt;i&gt;Tomografía de muones&lt;/i&gt;. El terreno real se conoce mejor o peor que su modelo; aquí el modelo es la verdad.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;Reading the result.&lt;/b&gt; &lt;i&gt;Contrast&lt;/i&gt;: that found over the true one, 1 where the whole of it is found. &lt;i&gt;Spread&lt;/i&gt;: standard deviation of the errors; for the model uniform, of the densities themselves. The errors of the views compare the sums along the three axes, as lengths in rock; the top view is normalised. Only voxels that a ray passes are compared, and the others are counted.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Cómo leer el resultado.&lt;/b&gt; &lt;i&gt;Contraste&lt;/i&gt;: el encontrado dividido por el verdadero, 1 donde se encuentra por completo. &lt;i&gt;Dispersión&lt;/i&gt;: desviación estándar de los errores; para el modelo uniform, de las propias densidades. Los errores de las vistas comparan las sumas a lo largo de los tres ejes, como longitudes en la roca; la vista superior está normalizada. Solo se comparan los vóxeles por los que pasa un rayo, y los demás se cuentan.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;Choosing the settings.&lt;/b&gt; Run the model uniform first: a prior, or a regularisation, under which the mountain stays uniform suits the noise. With the same settings, see then what is left of the body. Neither needs to know the answer.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Cómo elegir los ajustes.&lt;/b&gt; Ejecute primero el modelo uniform: un conocimiento previo, o una regularización, con el que la montaña sigue uniforme se ajusta al ruido. Vea después, con los mismos ajustes, qué queda del cuerpo. Ninguno de los dos necesita saber la respuesta.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;Time.&lt;/b&gt; The defaults answer in well under a minute. The finest voxels that make sense are those that two neighbouring rays tell apart.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Tiempo.&lt;/b&gt; Los valores predeterminados responden en bastante menos de un minuto. Los vóxeles más finos que tienen sentido son los que dos rayos vecinos distinguen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;Counts.&lt;/b&gt; With the method &lt;i&gt;counts&lt;/i&gt; each telescope counts along its own trajectories, as wide as they are, from finer sub-rays and voxels than those of the fit. Factors, boresights and terrain are off as their errors say. Several surveys are drawn, and the log ends in a verdict: how many standard errors the body is worth at its place and among all places, how often it is seen, how often one is seen where there is none, how much of its contrast is found, and how far off.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Conteos.&lt;/b&gt; Con el método &lt;i&gt;counts&lt;/i&gt; cada telescopio cuenta a lo largo de sus propias trayectorias, tan anchas como son, con subrayos y vóxeles más finos que los del ajuste. Factores, direcciones de apuntado y terreno se desvían según sus errores. Se sortean varias campañas, y el registro termina en un veredicto: cuántos errores estándar vale el cuerpo en su lugar y entre todos los lugares, cuántas veces se ve, cuántas veces se ve uno donde no lo hay, cuánto de su contraste se encuentra y a qué distancia.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>Sites (empty: a ring around the target)</source>
+      <translation>Sitios (vacío: un anillo alrededor del objetivo)</translation>
+    </message>
+    <message>
+      <source>Sites on the ring</source>
+      <translation>Sitios en el anillo</translation>
+    </message>
+    <message>
+      <source>Give the number of sites on the ring, 1 or more, where no layer of sites is given.</source>
+      <translation>Indique el número de sitios en el anillo, 1 o más, si no se da una capa de sitios.</translation>
+    </message>
+    <message>
+      <source>Radius of the ring (m)</source>
+      <translation>Radio del anillo (m)</translation>
+    </message>
+    <message>
+      <source>Give the horizontal distance of the sites from the target in m, above 0.</source>
+      <translation>Indique la distancia horizontal de los sitios al objetivo en m, mayor que 0.</translation>
+    </message>
+    <message>
+      <source>Azimuth of the first site (°)</source>
+      <translation>Azimut del primer sitio (°)</translation>
+    </message>
+    <message>
+      <source>Give the azimuth of the first site as seen from the target, in degrees clockwise from north. The others follow clockwise, evenly spaced.</source>
+      <translation>Indique el azimut del primer sitio visto desde el objetivo, en grados en sentido horario desde el norte. Los demás siguen en sentido horario, uniformemente espaciados.</translation>
+    </message>
+    <message>
+      <source>Azimuth where the arc ends (°)</source>
+      <translation>Azimut donde termina el arco (°)</translation>
+    </message>
+    <message>
+      <source>Give the azimuth of the last site in degrees. A whole turn after the first is a full ring.</source>
+      <translation>Indique el azimut del último sitio en grados. Una vuelta entera después del primero es un anillo completo.</translation>
+    </message>
+    <message>
+      <source>Sites may be moved by (m)</source>
+      <translation>Los sitios se pueden mover (m)</translation>
+    </message>
+    <message>
+      <source>Give how far in m a site may be moved to flatter ground, 0 or more, less than the radius.</source>
+      <translation>Indique cuánto en m se puede mover un sitio hacia suelo más plano, 0 o más, menos que el radio.</translation>
+    </message>
+    <message>
+      <source>Steepest slope at a site (°, empty: any)</source>
+      <translation>Pendiente máxima en un sitio (°, vacío: cualquiera)</translation>
+    </message>
+    <message>
+      <source>Give the steepest ground in degrees, above 0 and up to 90, on which a site of the ring may lie. Sites without such ground nearby are left out.</source>
+      <translation>Indique la mayor pendiente en grados, mayor que 0 y hasta 90, en la que puede estar un sitio del anillo. Los sitios sin suelo así cerca se omiten.</translation>
+    </message>
+    <message>
+      <source>Sites of the ring see the target</source>
+      <translation>Los sitios del anillo ven el objetivo</translation>
+    </message>
+    <message>
+      <source>Whether sites are left out if ground rises above the line to the target on the nearest quarter of the way.</source>
+      <translation>Si se omiten los sitios en los que el suelo sube por encima de la línea al objetivo en el cuarto más cercano del camino.</translation>
+    </message>
+    <message>
+      <source>Known model</source>
+      <translation>Modelo conocido</translation>
+    </message>
+    <message>
+      <source>uniform: rock of one density. conduit: an upright cylinder. sphere. checkerboard: every other cube. polygons: what a layer holds.</source>
+      <translation>uniform: roca de una sola densidad. conduit: un cilindro vertical. sphere: una esfera. checkerboard: uno de cada dos cubos. polygons: lo que contiene una capa.</translation>
+    </message>
+    <message>
+      <source>Density of the rock around (g/cm³, empty: the material's own)</source>
+      <translation>Densidad de la roca alrededor (g/cm³, vacío: la del material)</translation>
+    </message>
+    <message>
+      <source>Give the density of the rock around the bodies in g/cm³, above 0 and up to 30.</source>
+      <translation>Indique la densidad de la roca alrededor de los cuerpos en g/cm³, mayor que 0 y hasta 30.</translation>
+    </message>
+    <message>
+      <source>Density of the body (g/cm³)</source>
+      <translation>Densidad del cuerpo (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Give the density of conduit, sphere or every other cube in g/cm³, above 0 and up to 30.</source>
+      <translation>Indique la densidad del conducto, la esfera o los cubos alternos en g/cm³, mayor que 0 y hasta 30.</translation>
+    </message>
+    <message>
+      <source>Radius of conduit or sphere (m)</source>
+      <translation>Radio del conducto o de la esfera (m)</translation>
+    </message>
+    <message>
+      <source>Give the radius in m, above 0.</source>
+      <translation>Indique el radio en m, mayor que 0.</translation>
+    </message>
+    <message>
+      <source>Edge of the checkerboard's cubes (m)</source>
+      <translation>Lado de los cubos del tablero (m)</translation>
+    </message>
+    <message>
+      <source>Give the edge of a cube in m, above 0.</source>
+      <translation>Indique el lado de un cubo en m, mayor que 0.</translation>
+    </message>
+    <message>
+      <source>Position of the body (empty: the target)</source>
+      <translation>Posición del cuerpo (vacío: el objetivo)</translation>
+    </message>
+    <message>
+      <source>Axis of the conduit or middle of the sphere, on the DEM.</source>
+      <translation>Eje del conducto o centro de la esfera, sobre el MDE.</translation>
+    </message>
+    <message>
+      <source>Base of the conduit (m, empty: the volume's)</source>
+      <translation>Base del conducto (m, vacío: la del volumen)</translation>
+    </message>
+    <message>
+      <source>Give the height of the conduit's lower end in m above sea level.</source>
+      <translation>Indique la altura del extremo inferior del conducto en m sobre el nivel del mar.</translation>
+    </message>
+    <message>
+      <source>Top of the conduit (m, empty: the volume's)</source>
+      <translation>Techo del conducto (m, vacío: el del volumen)</translation>
+    </message>
+    <message>
+      <source>Give the height of the conduit's upper end in m above sea level; above the ground there is none of it.</source>
+      <translation>Indique la altura del extremo superior del conducto en m sobre el nivel del mar; por encima del suelo no hay conducto.</translation>
+    </message>
+    <message>
+      <source>Middle of the sphere (m, empty: the volume's)</source>
+      <translation>Centro de la esfera (m, vacío: el del volumen)</translation>
+    </message>
+    <message>
+      <source>Give the height of the sphere's middle in m above sea level.</source>
+      <translation>Indique la altura del centro de la esfera en m sobre el nivel del mar.</translation>
+    </message>
+    <message>
+      <source>Polygons of the model</source>
+      <translation>Polígonos del modelo</translation>
+    </message>
+    <message>
+      <source>Layer of bodies for the model polygons, with the fields density (g/cm³), base and top (m above sea level); in any coordinate reference system. Later ones replace earlier ones.</source>
+      <translation>Capa de cuerpos para el modelo polygons, con los campos density (g/cm³), base y top (m sobre el nivel del mar); en cualquier sistema de referencia de coordenadas. Los posteriores reemplazan a los anteriores.</translation>
+    </message>
+    <message>
+      <source>Days of counting</source>
+      <translation>Días de conteo</translation>
+    </message>
+    <message>
+      <source>Give the days that each station counts, above 0.</source>
+      <translation>Indique los días que cuenta cada estación, mayor que 0.</translation>
+    </message>
+    <message>
+      <source>Give the acceptance of one pixel in cm² sr, above 0. Counts grow with it and with the days.</source>
+      <translation>Indique la aceptancia de un píxel en cm² sr, mayor que 0. Los conteos crecen con ella y con los días.</translation>
+    </message>
+    <message>
+      <source>Counting noise</source>
+      <translation>Ruido de conteo</translation>
+    </message>
+    <message>
+      <source>Whether muons are counted. If not, every opacity is known, with the error given below: what the geometry alone can show.</source>
+      <translation>Si se cuentan muones. Si no, se conoce cada opacidad, con el error indicado abajo: lo que puede mostrar la geometría sola.</translation>
+    </message>
+    <message>
+      <source>Merge pixels up to this many counts</source>
+      <translation>Agrupar píxeles hasta este número de conteos</translation>
+    </message>
+    <message>
+      <source>Give the counts up to which neighbouring pixels are merged, 0 or more; 0 merges none. Pixels without a muon say no density, and leaving them out would make the rock look lighter than it is.</source>
+      <translation>Indique los conteos hasta los cuales se agrupan píxeles vecinos, 0 o más; 0 no agrupa ninguno. Los píxeles sin ningún muon no dicen densidad, y omitirlos haría parecer la roca más ligera de lo que es.</translation>
+    </message>
+    <message>
+      <source>Give a whole number, 0 or more; the same seed draws the same counts.</source>
+      <translation>Indique un número entero, 0 o más; la misma semilla da los mismos conteos.</translation>
+    </message>
+    <message>
+      <source>Extent of the volume (empty: where the muograms look)</source>
+      <translation>Extensión del volumen (vacío: donde miran los muogramas)</translation>
+    </message>
+    <message>
+      <source>Rectangle on the map, as text xmin,xmax,ymin,ymax [EPSG:code], on the elevation model. Empty takes the rectangle with nine tenths of the rock on the rays.</source>
+      <translation>Rectángulo en el mapa, como texto xmin,xmax,ymin,ymax [EPSG:code], sobre el modelo de elevación. Vacío toma el rectángulo con nueve décimas partes de la roca en los rayos.</translation>
+    </message>
+    <message>
+      <source>Voxel size (m, empty: by the number of voxels)</source>
+      <translation>Tamaño del vóxel (m, vacío: según el número de vóxeles)</translation>
+    </message>
+    <message>
+      <source>Give the edge of a voxel in m, above 0.</source>
+      <translation>Indique el lado de un vóxel en m, mayor que 0.</translation>
+    </message>
+    <message>
+      <source>Voxels along the longest side</source>
+      <translation>Vóxeles en el lado más largo</translation>
+    </message>
+    <message>
+      <source>Give the number of voxels along the longest side of the volume, 1 to 1000. It counts where no voxel size is given, which is then rounded up.</source>
+      <translation>Indique el número de vóxeles en el lado más largo del volumen, de 1 a 1000. Cuenta si no se da un tamaño de vóxel, que entonces se redondea hacia arriba.</translation>
+    </message>
+    <message>
+      <source>Base of the volume (m, empty: the lowest rays)</source>
+      <translation>Base del volumen (m, vacío: los rayos más bajos)</translation>
+    </message>
+    <message>
+      <source>Give the height of the volume's floor in m above sea level, below its top. Empty takes where all but the lowest 2 % of the rock on the rays is above it.</source>
+      <translation>Indique la altura del piso del volumen en m sobre el nivel del mar, por debajo de su techo. Vacío toma donde queda por encima toda la roca de los rayos salvo el 2 % más bajo.</translation>
+    </message>
+    <message>
+      <source>Top of the volume (m, empty: the highest ground)</source>
+      <translation>Techo del volumen (m, vacío: el suelo más alto)</translation>
+    </message>
+    <message>
+      <source>Give the height of the volume's ceiling in m above sea level, above its base.</source>
+      <translation>Indique la altura del techo del volumen en m sobre el nivel del mar, por encima de su base.</translation>
+    </message>
+    <message>
+      <source>Coordinate reference system (empty: the elevation model's or UTM)</source>
+      <translation>Sistema de referencia de coordenadas (vacío: el del modelo de elevación o UTM)</translation>
+    </message>
+    <message>
+      <source>Projected coordinate reference system of the volume, true to scale there. Empty takes that of the elevation model if it is one in metres, else the UTM zone.</source>
+      <translation>Sistema de referencia de coordenadas proyectado del volumen, fiel a la escala en ese lugar. Vacío toma el del modelo de elevación si es uno en metros; si no, la zona UTM.</translation>
+    </message>
+    <message>
+      <source>Voxels of air are known</source>
+      <translation>Los vóxeles de aire se conocen</translation>
+    </message>
+    <message>
+      <source>Whether rock ends at the terrain. If not, all voxels are unknown and the rays of the sky count too: the shape of the mountain is reconstructed with its density.</source>
+      <translation>Si la roca termina en el terreno. Si no, todos los vóxeles son desconocidos y los rayos del cielo también cuentan: la forma de la montaña se reconstruye junto con su densidad.</translation>
+    </message>
+    <message>
+      <source>Memory (GiB)</source>
+      <translation>Memoria (GiB)</translation>
+    </message>
+    <message>
+      <source>Give the most memory in GiB for the paths of the rays, above 0. Where they need more, they are computed anew at every step, which is slow.</source>
+      <translation>Indique la memoria máxima en GiB para los recorridos de los rayos, mayor que 0. Si necesitan más, se calculan de nuevo en cada paso, lo que es lento.</translation>
+    </message>
+    <message>
+      <source>Method</source>
+      <translation>Método</translation>
+    </message>
+    <message>
+      <source>How densities are found. art: ART (Kaczmarz); bart: ART by blocks; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: Penalised likelihood, quadratic; pml-hybrid: Penalised likelihood, hybrid; ospml-quad: Penalised likelihood by subsets, quadratic; ospml-hybrid: Penalised likelihood by subsets, hybrid; tv: Total variation; grad: Gradient descent; tikhonov: Tikhonov; lsmr: Damped LSMR; bayes: Bayesian, Gaussian prior; counts: Fit of counts, Gaussian prior and Poisson likelihood. Those of the family art and sirt follow the data alone; pml, tv, grad, tikhonov and lsmr prefer smooth models, tv with sharp edges; bayes weighs data against a prior and tells its errors; counts does so for rasters of counts, with trajectories as wide as they are and pixels without a muon.</source>
+      <translation>Cómo se buscan las densidades. art: ART (Kaczmarz); bart: ART por bloques; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: verosimilitud penalizada, cuadrática; pml-hybrid: verosimilitud penalizada, híbrida; ospml-quad: verosimilitud penalizada por subconjuntos, cuadrática; ospml-hybrid: verosimilitud penalizada por subconjuntos, híbrida; tv: variación total; grad: descenso por gradiente; tikhonov: Tikhonov; lsmr: LSMR amortiguado; bayes: bayesiano, conocimiento previo gaussiano; counts: ajuste de conteos, conocimiento previo gaussiano y verosimilitud de Poisson. Los de la familia de art y sirt siguen solo los datos; pml, tv, grad, tikhonov y lsmr prefieren modelos suaves, tv con bordes nítidos; bayes pondera los datos frente a un conocimiento previo y dice sus errores; counts lo hace con rásteres de conteos, con trayectorias tan anchas como son y píxeles sin ningún muon.</translation>
+    </message>
+    <message>
+      <source>Iterations (empty: the method's own)</source>
+      <translation>Iteraciones (vacío: las propias del método)</translation>
+    </message>
+    <message>
+      <source>Give the most iterations, 1 or more; a sweep over all rays is one. Methods that reach the data's errors or converge end sooner.</source>
+      <translation>Indique el máximo de iteraciones, 1 o más; una es un barrido sobre todos los rayos. Los métodos que alcanzan los errores de los datos o convergen terminan antes.</translation>
+    </message>
+    <message>
+      <source>Relaxation (empty: the method's own)</source>
+      <translation>Relajación (vacío: la propia del método)</translation>
+    </message>
+    <message>
+      <source>Regularisation (empty: the method's own)</source>
+      <translation>Regularización (vacío: la propia del método)</translation>
+    </message>
+    <message>
+      <source>Give the strength of the penalty on rough models of pml, ospml, tv, grad, tikhonov and lsmr, 0 or more; at 1 a step between neighbours weighs as much as the misfit of a voxel.</source>
+      <translation>Indique la intensidad de la penalización de los modelos rugosos de pml, ospml, tv, grad, tikhonov y lsmr, 0 o más; con 1 un salto entre vecinos pesa tanto como el desajuste de un vóxel.</translation>
+    </message>
+    <message>
+      <source>Reference density (g/cm³, empty: the muograms' mean)</source>
+      <translation>Densidad de referencia (g/cm³, vacío: la media de los muogramas)</translation>
+    </message>
+    <message>
+      <source>Give the density in g/cm³, above 0 and up to 30, of the rock outside the volume, of the start and of the prior.</source>
+      <translation>Indique la densidad en g/cm³, mayor que 0 y hasta 30, de la roca fuera del volumen, del comienzo y del conocimiento previo.</translation>
+    </message>
+    <message>
+      <source>Error of the opacities (%)</source>
+      <translation>Error de las opacidades (%)</translation>
+    </message>
+    <message>
+      <source>Give the standard error of opacities in % where there are no rasters of errors, 0 or more; it is at least that of a tenth of the mean opacity. 0 stands for unknown: then all rays count the same, no method stops at the errors, and bayes cannot be used.</source>
+      <translation>Indique el error estándar de las opacidades en % donde no hay rásteres de errores, 0 o más; es al menos el de una décima parte de la opacidad media. 0 significa desconocido: entonces todos los rayos cuentan igual, ningún método se detiene en los errores y no se puede usar bayes.</translation>
+    </message>
+    <message>
+      <source>Error of the path lengths (m)</source>
+      <translation>Error de las longitudes de los recorridos (m)</translation>
+    </message>
+    <message>
+      <source>Give the standard error of a ray's length in rock in m, 0 or more: what the elevation model does not show. It adds to the other errors.</source>
+      <translation>Indique el error estándar de la longitud de un rayo en la roca en m, 0 o más: lo que el modelo de elevación no muestra. Se suma a los demás errores.</translation>
+    </message>
+    <message>
+      <source>Keep densities above zero</source>
+      <translation>Mantener las densidades sobre cero</translation>
+    </message>
+    <message>
+      <source>Whether densities below zero are lifted to it; bayes does not.</source>
+      <translation>Si las densidades por debajo de cero se elevan a cero; bayes no lo hace.</translation>
+    </message>
+    <message>
+      <source>Highest density (g/cm³, empty: none)</source>
+      <translation>Mayor densidad (g/cm³, vacío: ninguna)</translation>
+    </message>
+    <message>
+      <source>Give the density in g/cm³, above 0, that none may exceed, such as that of the rock without pores; bayes knows none.</source>
+      <translation>Indique la densidad en g/cm³, mayor que 0, que ninguna puede superar, como la de la roca sin poros; bayes no conoce ninguna.</translation>
+    </message>
+    <message>
+      <source>Order of the rays</source>
+      <translation>Orden de los rayos</translation>
+    </message>
+    <message>
+      <source>interleaved: stations far apart take turns. sequential: as they come. random: drawn.</source>
+      <translation>interleaved: se alternan estaciones alejadas entre sí. sequential: tal como vienen. random: al azar.</translation>
+    </message>
+    <message>
+      <source>Subsets (empty: the method's own)</source>
+      <translation>Subconjuntos (vacío: los propios del método)</translation>
+    </message>
+    <message>
+      <source>Give the number of parts of bart, osem and ospml that the rays are dealt into, 1 or more.</source>
+      <translation>Indique el número de partes de bart, osem y ospml en que se reparten los rayos, 1 o más.</translation>
+    </message>
+    <message>
+      <source>Stop at this multiple of the errors</source>
+      <translation>Detenerse a este múltiplo de los errores</translation>
+    </message>
+    <message>
+      <source>Give the misfit, in standard errors, at which the methods without a penalty stop, 0 or more; 0 never stops.</source>
+      <translation>Indique el desajuste, en errores estándar, en el que se detienen los métodos sin penalización, 0 o más; 0 nunca se detiene.</translation>
+    </message>
+    <message>
+      <source>Density step of the hybrid penalty (g/cm³)</source>
+      <translation>Salto de densidad de la penalización híbrida (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Give the step between neighbours in g/cm³, above 0, from which the penalty of pml-hybrid and ospml-hybrid grows no faster than the step.</source>
+      <translation>Indique el salto entre vecinos en g/cm³, mayor que 0, a partir del cual la penalización de pml-hybrid y ospml-hybrid no crece más rápido que el salto.</translation>
+    </message>
+    <message>
+      <source>Standard deviation of the prior (g/cm³)</source>
+      <translation>Desviación estándar del conocimiento previo (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Give how far densities are from the reference before any muon, in g/cm³, above 0; for bayes and counts.</source>
+      <translation>Indique cuánto se apartan las densidades de la referencia antes de cualquier muon, en g/cm³, mayor que 0; para bayes y counts.</translation>
+    </message>
+    <message>
+      <source>Correlation length of the prior (m)</source>
+      <translation>Longitud de correlación del conocimiento previo (m)</translation>
+    </message>
+    <message>
+      <source>Give the distance in m, above 0, over which densities are alike; for bayes and counts.</source>
+      <translation>Indique la distancia en m, mayor que 0, en la que las densidades se parecen; para bayes y counts.</translation>
+    </message>
+    <message>
+      <source>Draws for the error of the density</source>
+      <translation>Sorteos para el error de la densidad</translation>
+    </message>
+    <message>
+      <source>Give how often bayes solves for drawn data, 1 or more, where the error of the density is wanted from more than 2000 rays; n draws tell it to 71/√n %.</source>
+      <translation>Indique cuántas veces bayes resuelve con datos sorteados, 1 o más, si se quiere el error de la densidad de más de 2000 rayos; n sorteos lo dan con un 71/√n %.</translation>
+    </message>
+    <message>
+      <source>Error of the reference density (g/cm³)</source>
+      <translation>Error de la densidad de referencia (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Give how far the mean density may be from the reference before any muon, in g/cm³, 0 or more; for counts, where it is estimated with the densities.</source>
+      <translation>Indique cuánto puede apartarse la densidad media de la referencia antes de cualquier muon, en g/cm³, 0 o más; para counts, que la estima con las densidades.</translation>
+    </message>
+    <message>
+      <source>Error of each station's counts (%)</source>
+      <translation>Error de los conteos de cada estación (%)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in %, of the factor between what a station counts and what acceptance, efficiency and days say, 0 or more; for counts, which estimate it.</source>
+      <translation>Indique el error estándar, en %, del factor entre lo que cuenta una estación y lo que dicen aceptancia, eficiencia y días, 0 o más; para counts, que lo estima.</translation>
+    </message>
+    <message>
+      <source>Error of the flux (%)</source>
+      <translation>Error del flujo (%)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in %, of the factor of the flux model that all stations share, 0 or more; for counts, which estimate it.</source>
+      <translation>Indique el error estándar, en %, del factor del modelo de flujo que comparten todas las estaciones, 0 o más; para counts, que lo estima.</translation>
+    </message>
+    <message>
+      <source>Error of the boresights (°)</source>
+      <translation>Error de las direcciones de apuntado (°)</translation>
+    </message>
+    <message>
+      <source>Give the standard error, in °, of azimuth and elevation of each boresight, 0 or more; for counts, which estimate both.</source>
+      <translation>Indique el error estándar, en °, del acimut y de la elevación de cada dirección de apuntado, 0 o más; para counts, que estima ambos.</translation>
+    </message>
+    <message>
+      <source>Error of the terrain's heights (m)</source>
+      <translation>Error de las alturas del terreno (m)</translation>
+    </message>
+    <message>
+      <source>Give the standard error of the elevation model's heights in m, 0 or more; for counts, which estimate where it is too high or too low. About 5 m for SRTM.</source>
+      <translation>Indique el error estándar de las alturas del modelo de elevación en m, 0 o más; para counts, que estima dónde es demasiado alto o bajo. Unos 5 m para SRTM.</translation>
+    </message>
+    <message>
+      <source>Distance over which terrain errors are alike (m)</source>
+      <translation>Distancia en la que los errores del terreno se parecen (m)</translation>
+    </message>
+    <message>
+      <source>Give the correlation length of the errors of the terrain's heights in m, above 0.</source>
+      <translation>Indique la longitud de correlación de los errores de las alturas del terreno en m, mayor que 0.</translation>
+    </message>
+    <message>
+      <source>Detection efficiency (%)</source>
+      <translation>Eficiencia de detección (%)</translation>
+    </message>
+    <message>
+      <source>Give the share of the muons that are counted, in %, above 0 and up to 100; for the method counts.</source>
+      <translation>Indique la proporción de los muones que se cuentan, en %, mayor que 0 y hasta 100; para el método counts.</translation>
+    </message>
+    <message>
+      <source>Surveys drawn</source>
+      <translation>Campañas sorteadas</translation>
+    </message>
+    <message>
+      <source>Give how many surveys are drawn for the verdict of the method counts, 1 to 1000; the densities are those of the first.</source>
+      <translation>Indique cuántas campañas se sortean para el veredicto del método counts, de 1 a 1000; las densidades son las de la primera.</translation>
+    </message>
+    <message>
+      <source>Density (g/cm³)</source>
+      <translation>Densidad (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Density of each voxel with rock that a ray passes. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
+      <translation>Densidad de cada vóxel con roca por el que pasa un rayo. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
+    </message>
+    <message>
+      <source>Rays per voxel</source>
+      <translation>Rayos por vóxel</translation>
+    </message>
+    <message>
+      <source>Number of rays through each voxel with rock. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
+      <translation>Número de rayos por cada vóxel con roca. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
+    </message>
+    <message>
+      <source>Error of the density (g/cm³)</source>
+      <translation>Error de la densidad (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Standard error of each density, of the methods bayes and counts. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
+      <translation>Error estándar de cada densidad, de los métodos bayes y counts. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
+    </message>
+    <message>
+      <source>Voxels as points</source>
+      <translation>Vóxeles como puntos</translation>
+    </message>
+    <message>
+      <source>Centre of each voxel with a density as a point with height, with density, rays and, where there is one, the error: for 3-D views.</source>
+      <translation>Centro de cada vóxel con densidad como punto con altura, con densidad, rayos y, si lo hay, el error: para vistas en 3D.</translation>
+    </message>
+    <message>
+      <source>Residuals</source>
+      <translation>Residuos</translation>
+    </message>
+    <message>
+      <source>CSV: what the densities leave unexplained of each muogram.</source>
+      <translation>CSV: lo que las densidades dejan sin explicar de cada muograma.</translation>
+    </message>
+    <message>
+      <source>Density of the known model in the same voxels. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
+      <translation>Densidad del modelo conocido en los mismos vóxeles. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
+    </message>
+    <message>
+      <source>Stations</source>
+      <translation>Estaciones</translation>
+    </message>
+    <message>
+      <source>Sites that were used, with their direction and distance to the target.</source>
+      <translation>Sitios que se usaron, con su dirección y distancia al objetivo.</translation>
+    </message>
+    <message>
+      <source>Table of errors</source>
+      <translation>Tabla de errores</translation>
+    </message>
+    <message>
+      <source>CSV: contrast, errors of the densities and of the views, and the numbers of the run.</source>
+      <translation>CSV: contraste, errores de las densidades y de las vistas, y los números de la ejecución.</translation>
+    </message>
+    <message>
+      <source>Picture of the known model, of what is found and of the error, summed from the top, the front and the side, and in slices through the target.</source>
+      <translation>Figura del modelo conocido, de lo encontrado y del error, sumados desde arriba, de frente y de lado, y en cortes por el objetivo.</translation>
+    </message>
+    <message>
+      <source>One HTML file with the panel, what is found of each body, the misfit by iteration and station, parameters, numbers, every warning and how to cite.</source>
+      <translation>Un archivo HTML con el panel, lo encontrado de cada cuerpo, el desajuste por iteración y estación, parámetros, números, todas las advertencias y cómo citar.</translation>
+    </message>
+    <message>
+      <source>Contrast found over the true one</source>
+      <translation>Contraste encontrado dividido por el verdadero</translation>
+    </message>
+    <message>
+      <source>Relative error of the densities</source>
+      <translation>Error relativo de las densidades</translation>
+    </message>
+    <message>
+      <source>Standard deviation of the errors (g/cm³)</source>
+      <translation>Desviación estándar de los errores (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Mean of the errors (g/cm³)</source>
+      <translation>Media de los errores (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Top view, normalised: mean |ε|</source>
+      <translation>Vista superior, normalizada: media de |ε|</translation>
+    </message>
+    <message>
+      <source>Top view, normalised: σ of |ε|</source>
+      <translation>Vista superior, normalizada: σ de |ε|</translation>
+    </message>
+    <message>
+      <source>Front view: mean |ε| (km)</source>
+      <translation>Vista frontal: media de |ε| (km)</translation>
+    </message>
+    <message>
+      <source>Front view: σ of |ε| (km)</source>
+      <translation>Vista frontal: σ de |ε| (km)</translation>
+    </message>
+    <message>
+      <source>Side view: mean |ε| (km)</source>
+      <translation>Vista lateral: media de |ε| (km)</translation>
+    </message>
+    <message>
+      <source>Side view: σ of |ε| (km)</source>
+      <translation>Vista lateral: σ de |ε| (km)</translation>
+    </message>
+    <message>
+      <source>Muons counted</source>
+      <translation>Muones contados</translation>
+    </message>
+    <message>
+      <source>Sites used</source>
+      <translation>Sitios usados</translation>
+    </message>
+    <message>
+      <source>Rays used</source>
+      <translation>Rayos usados</translation>
+    </message>
+    <message>
+      <source>Voxels with a density</source>
+      <translation>Vóxeles con densidad</translation>
+    </message>
+    <message>
+      <source>Voxels with rock that no ray passes</source>
+      <translation>Vóxeles con roca por los que no pasa ningún rayo</translation>
+    </message>
+    <message>
+      <source>Residual over data</source>
+      <translation>Residuo dividido por los datos</translation>
+    </message>
+    <message>
+      <source>Mean square of residuals over their errors</source>
+      <translation>Media del cuadrado de los residuos divididos por sus errores</translation>
+    </message>
+    <message>
+      <source>Iterations done</source>
+      <translation>Iteraciones hechas</translation>
+    </message>
+    <message>
+      <source>Standard errors of the body at its place</source>
+      <translation>Errores estándar del cuerpo en su lugar</translation>
+    </message>
+    <message>
+      <source>Standard errors of the body among all places</source>
+      <translation>Errores estándar del cuerpo entre todos los lugares</translation>
+    </message>
+    <message>
+      <source>Surveys that see the body (%)</source>
+      <translation>Campañas que ven el cuerpo (%)</translation>
+    </message>
+    <message>
+      <source>Surveys that see a body where there is none (%)</source>
+      <translation>Campañas que ven un cuerpo donde no lo hay (%)</translation>
+    </message>
+    <message>
+      <source>Standard deviation of the contrast over the surveys</source>
+      <translation>Desviación estándar del contraste entre las campañas</translation>
+    </message>
+    <message>
+      <source>Distance of the largest signal from the body (m)</source>
+      <translation>Distancia de la mayor señal al cuerpo (m)</translation>
+    </message>
+    <message>
       <source>Where to put the telescope</source>
       <translation>Dónde poner el telescopio</translation>
     </message>
@@ -2182,6 +2806,118 @@
     <message>
       <source>Étendue, all acceptances together (cm² sr)</source>
       <translation>Étendue, todas las aceptancias juntas (cm² sr)</translation>
+    </message>
+    <message>
+      <source>Muon tomography</source>
+      <translation>Tomografía de muones</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;Finds the density of the rock in three dimensions from muograms of several stations.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;Busca la densidad de la roca en tres dimensiones a partir de muogramas de varias estaciones.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;What you need.&lt;/b&gt; Muograms of one quantity, and the elevation model they were seen on. &lt;b&gt;Density&lt;/b&gt; (from &lt;i&gt;Density from a measured muogram&lt;/i&gt;), &lt;b&gt;opacity&lt;/b&gt;, &lt;b&gt;flux&lt;/b&gt; or &lt;b&gt;transmission&lt;/b&gt; show the inside of the mountain; flux and transmission are turned into opacity with the physics that the files name. &lt;b&gt;Thickness&lt;/b&gt; shows its shape alone. Rasters of errors are found by detector and directions. Without them an error in percent is assumed. The more sides the stations look from, the better: one station alone cannot tell near rock from far.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Qué se necesita.&lt;/b&gt; Muogramas de una misma magnitud, y el modelo de elevación sobre el que se vieron. La &lt;b&gt;densidad&lt;/b&gt; (de &lt;i&gt;Densidad a partir de un muograma medido&lt;/i&gt;), la &lt;b&gt;opacidad&lt;/b&gt;, el &lt;b&gt;flujo&lt;/b&gt; o la &lt;b&gt;transmisión&lt;/b&gt; muestran el interior de la montaña; flujo y transmisión se convierten en opacidad con la física que nombran los archivos. El &lt;b&gt;espesor&lt;/b&gt; muestra solo su forma. Los rásteres de errores se reconocen por detector y direcciones. Sin ellos se supone un error en porcentaje. Cuantos más lados miren las estaciones, mejor: una estación sola no distingue la roca cercana de la lejana.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;Counts.&lt;/b&gt; Rasters of &lt;b&gt;counts&lt;/b&gt; are fitted as they are (method &lt;i&gt;counts&lt;/i&gt;): each trajectory as wide as it is, with its telescope, days and efficiency from the file, and pixels without a muon as data. What is not known exactly is estimated with the densities, and told with its error: a factor for each station and for the flux, the mean density, each boresight, and the heights of the terrain. This is the way from a telescope to densities; densities of single pixels lose what the thin part of a wide trajectory lets through. Other methods do not read counts.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Conteos.&lt;/b&gt; Los rásteres de &lt;b&gt;conteos&lt;/b&gt; se ajustan tal como son (método &lt;i&gt;counts&lt;/i&gt;): cada trayectoria tan ancha como es, con el telescopio, los días y la eficiencia del archivo, y los píxeles sin ningún muon como datos. Lo que no se conoce exactamente se estima con las densidades y se dice con su error: un factor por estación y otro del flujo, la densidad media, cada dirección de apuntado y las alturas del terreno. Este es el camino de un telescopio a las densidades; las densidades de píxeles sueltos pierden lo que deja pasar la parte delgada de una trayectoria ancha. Los demás métodos no leen conteos.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;What it does.&lt;/b&gt; With counts, straight sub-rays fill each trajectory; of other quantities, each pixel is one straight ray along its middle, so that pixels wider than a voxel blur the result. Its lengths in the voxels are exact, cut off where the terrain begins and ends, with the Earth's curvature and the true north and scale of the projection. Voxels of air are no unknowns. Rock on the ray outside the volume is taken off at the reference density. Then the method finds the densities whose integrals along the rays are the opacities.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Qué hace.&lt;/b&gt; Con conteos, subrayos rectos llenan cada trayectoria; con otras magnitudes, cada píxel es un rayo recto por su centro, así que los píxeles más anchos que un vóxel desdibujan el resultado. Sus longitudes en los vóxeles son exactas, cortadas donde el terreno comienza y termina, con la curvatura de la Tierra y el norte y la escala verdaderos de la proyección. Los vóxeles de aire no son incógnitas. La roca del rayo fuera del volumen se descuenta con la densidad de referencia. Luego el método busca las densidades cuyas integrales a lo largo de los rayos son las opacidades.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;Which method.&lt;/b&gt; &lt;i&gt;bayes&lt;/i&gt; (default) weighs the data by their errors against a prior about the reference density: where rays say little, the density stays near it. It tells the error of each density. &lt;i&gt;tv&lt;/i&gt; prefers bodies with sharp edges; its regularisation must suit the noise. &lt;i&gt;sirt&lt;/i&gt;, &lt;i&gt;art&lt;/i&gt;, &lt;i&gt;sart&lt;/i&gt;, &lt;i&gt;mlem&lt;/i&gt; and their relatives follow the data and stop at their errors. Filtered back-projection and Gridrec need parallel rays and are refused.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Qué método.&lt;/b&gt; &lt;i&gt;bayes&lt;/i&gt; (predeterminado) pondera los datos por sus errores frente a un conocimiento previo en torno a la densidad de referencia: donde los rayos dicen poco, la densidad queda cerca de ella. Dice el error de cada densidad. &lt;i&gt;tv&lt;/i&gt; prefiere cuerpos con bordes nítidos; su regularización debe ajustarse al ruido. &lt;i&gt;sirt&lt;/i&gt;, &lt;i&gt;art&lt;/i&gt;, &lt;i&gt;sart&lt;/i&gt;, &lt;i&gt;mlem&lt;/i&gt; y sus parientes siguen los datos y se detienen en sus errores. La retroproyección filtrada y Gridrec necesitan rayos paralelos y se rechazan.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;The volume.&lt;/b&gt; Without an extent, it is where the muograms look. Voxels much smaller than the distance between rays cost memory and show nothing. Where the paths do not fit the memory, they are computed anew at each step.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;El volumen.&lt;/b&gt; Sin una extensión, está donde miran los muogramas. Los vóxeles mucho menores que la distancia entre rayos cuestan memoria y no muestran nada. Si los recorridos no caben en la memoria, se calculan de nuevo en cada paso.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;What comes out.&lt;/b&gt; &lt;i&gt;Density&lt;/i&gt;, &lt;i&gt;rays per voxel&lt;/i&gt; and &lt;i&gt;error of the density&lt;/i&gt; are GeoTIFFs on the map with a band for each elevation slice, the lowest first; each band is named after the height of its centre. The slice of the target is shown first. From QGIS 3.38 on, the elevation controller steps through them. Voxels in air and those that no ray passes have no data; they and the pixels that were not used are counted in the log, by cause.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;&lt;b&gt;Qué resulta.&lt;/b&gt; &lt;i&gt;Densidad&lt;/i&gt;, &lt;i&gt;rayos por vóxel&lt;/i&gt; y &lt;i&gt;error de la densidad&lt;/i&gt; son GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero; cada banda lleva el nombre de la altura de su centro. Primero se muestra el corte del objetivo. Desde QGIS 3.38 el controlador de elevación los recorre. Los vóxeles en el aire y aquellos por los que no pasa ningún rayo quedan sin dato; ellos y los píxeles que no se usaron se cuentan en el registro, según la causa.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;Residuals&lt;/b&gt; tell for each muogram what the densities leave unexplained. Chi squared per ray is about 1 where model and errors are right. Much more means that errors are too small, or that muograms contradict each other.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;Los &lt;b&gt;residuos&lt;/b&gt; dicen para cada muograma lo que las densidades dejan sin explicar. Chi cuadrado por rayo es aproximadamente 1 donde el modelo y los errores son correctos. Mucho más significa que los errores son demasiado pequeños, o que los muogramas se contradicen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>&lt;p&gt;&lt;b&gt;Residual muograms&lt;/b&gt; and &lt;b&gt;factors&lt;/b&gt; show where counts are not explained: noise of size 1 everywhere is a perfect fit. A warning says so where chi squared is above 1.5, a density is that of no rock, or a factor or a boresight is far from what was known, with the cause and what to do.&lt;/p&gt;</source>
+      <translation>&lt;p&gt;Los &lt;b&gt;muogramas de residuos&lt;/b&gt; y los &lt;b&gt;factores&lt;/b&gt; muestran dónde los conteos no quedan explicados: ruido de tamaño 1 en todas partes es un ajuste perfecto. Una advertencia lo dice donde chi cuadrado supera 1.5, una densidad no es la de ninguna roca, o un factor o una dirección de apuntado están lejos de lo que se sabía, con la causa y qué hacer.&lt;/p&gt;</translation>
+    </message>
+    <message>
+      <source>Muograms</source>
+      <translation>Muogramas</translation>
+    </message>
+    <message>
+      <source>Muograms of one quantity from several stations: counts, density, opacity, flux, transmission or thickness, or rasters in telescope angles. They say themselves what they hold and where their detectors stand; counts also say the days, and telescope or acceptance.</source>
+      <translation>Muogramas de una misma magnitud desde varias estaciones: conteos, densidad, opacidad, flujo, transmisión o espesor, o rásteres en ángulos del telescopio. Ellos mismos dicen qué contienen y dónde están sus detectores; los conteos dicen además los días, y el telescopio o la aceptancia.</translation>
+    </message>
+    <message>
+      <source>Errors of the muograms</source>
+      <translation>Errores de los muogramas</translation>
+    </message>
+    <message>
+      <source>Rasters of the standard errors, such as density error, one for each muogram, in any order: they are matched by detector and directions.</source>
+      <translation>Rásteres de los errores estándar, como el error de la densidad, uno por muograma, en cualquier orden: se asocian por detector y direcciones.</translation>
+    </message>
+    <message>
+      <source>Acceptances of the counts</source>
+      <translation>Aceptancias de los conteos</translation>
+    </message>
+    <message>
+      <source>Rasters of acceptances in cm² sr on the pixels of counts, in any order; without one, that of the telescope or of the metadata (ACCEPTANCE) counts.</source>
+      <translation>Rásteres de aceptancias en cm² sr en los píxeles de los conteos, en cualquier orden; sin uno, vale la del telescopio o la de los metadatos (ACCEPTANCE).</translation>
+    </message>
+    <message>
+      <source>Line of a vertical section</source>
+      <translation>Línea de una sección vertical</translation>
+    </message>
+    <message>
+      <source>Layer whose first line says where the vertical section runs; in any coordinate reference system.</source>
+      <translation>Capa cuya primera línea dice por dónde pasa la sección vertical; en cualquier sistema de referencia de coordenadas.</translation>
+    </message>
+    <message>
+      <source>Factors and boresights</source>
+      <translation>Factores y direcciones de apuntado</translation>
+    </message>
+    <message>
+      <source>CSV, of the method counts: mean density, factor of the flux, and factor and boresight of each station, with what was known before and the errors of both.</source>
+      <translation>CSV, del método counts: densidad media, factor del flujo, y factor y dirección de apuntado de cada estación, con lo que se sabía antes y los errores de ambos.</translation>
+    </message>
+    <message>
+      <source>Folder of residual muograms</source>
+      <translation>Carpeta de muogramas de residuos</translation>
+    </message>
+    <message>
+      <source>Holds a GeoTIFF for each raster of counts, of the method counts: counts less what the densities expect, over the standard error; noise of size 1 where all is explained.</source>
+      <translation>Contiene un GeoTIFF por ráster de conteos, del método counts: conteos menos lo que esperan las densidades, divididos por el error estándar; ruido de tamaño 1 donde todo está explicado.</translation>
+    </message>
+    <message>
+      <source>Vertical section</source>
+      <translation>Sección vertical</translation>
+    </message>
+    <message>
+      <source>Picture of the densities below the line, with the ground.</source>
+      <translation>Figura de las densidades bajo la línea, con el suelo.</translation>
+    </message>
+    <message>
+      <source>Picture of slices and sections through the target, views from the top, the front and the side, and the rays per voxel, with a map of the stations.</source>
+      <translation>Figura de cortes y secciones por el objetivo, vistas desde arriba, de frente y de lado, y los rayos por vóxel, con un mapa de las estaciones.</translation>
+    </message>
+    <message>
+      <source>One HTML file with the panel, the misfit by iteration and station, parameters, numbers, every warning and how to cite.</source>
+      <translation>Un archivo HTML con el panel, el desajuste por iteración y estación, parámetros, números, todas las advertencias y cómo citar.</translation>
+    </message>
+    <message>
+      <source>Mean density of the voxels (g/cm³)</source>
+      <translation>Densidad media de los vóxeles (g/cm³)</translation>
+    </message>
+    <message>
+      <source>Reference density used (g/cm³)</source>
+      <translation>Densidad de referencia usada (g/cm³)</translation>
     </message>
     <message>
       <source>Volcano survey</source>
@@ -2824,742 +3560,6 @@ Píxeles desconocidos {unknown} de {pixels}</translation>
     <message>
       <source>Give the number of rays along a side, 1 to 50, traced for each step from one trajectory to the next. Errors fall with about its square.</source>
       <translation type="vanished">Indique el número de rayos por lado, de 1 a 50, trazados para cada paso de una trayectoria a la siguiente. Los errores disminuyen aproximadamente con su cuadrado.</translation>
-    </message>
-    <message>
-      <source>Can this survey see it?</source>
-      <translation type="vanished">¿Puede verlo esta campaña?</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;Shows before a campaign what its muon tomography can find. It puts a known body into the mountain, counts the muons that telescopes would count, reconstructs the densities from them, and says how much of the body is found again.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;Muestra antes de una campaña lo que puede encontrar su tomografía de muones. Pone un cuerpo conocido en la montaña, cuenta los muones que contarían los telescopios, reconstruye con ellos las densidades y dice cuánto del cuerpo se recupera.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;How to use it.&lt;/b&gt; Choose an elevation model, click the target, and choose a body. The telescopes stand on the sites of a layer, or on a ring around the target. Each site of the ring is moved a little, to the flattest ground nearby; a steepest slope and a free view may be asked for, and sites without both are left out and counted.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Cómo se usa.&lt;/b&gt; Elija un modelo de elevación, haga clic en el objetivo y elija un cuerpo. Los telescopios están en los sitios de una capa, o en un anillo alrededor del objetivo. Cada sitio del anillo se desplaza un poco, hasta el suelo más plano cercano; se puede pedir una pendiente máxima y una vista libre, y los sitios sin ambas se omiten y se cuentan.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;The known model.&lt;/b&gt; &lt;i&gt;conduit&lt;/i&gt;: an upright cylinder. &lt;i&gt;sphere&lt;/i&gt;. &lt;i&gt;checkerboard&lt;/i&gt;: every other cube, to see where details are resolved. &lt;i&gt;uniform&lt;/i&gt;: no body at all, so that whatever structure comes out is noise. &lt;i&gt; polygons&lt;/i&gt;: bodies from a layer with the fields &lt;i&gt;density&lt;/i&gt; (g/cm³), &lt;i&gt;base&lt;/i&gt; and &lt;i&gt;top&lt;/i&gt; (m above sea level). The rock around has the density given with the physics.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;El modelo conocido.&lt;/b&gt; &lt;i&gt;conduit&lt;/i&gt;: un cilindro vertical (conducto). &lt;i&gt;sphere&lt;/i&gt;: una esfera. &lt;i&gt;checkerboard&lt;/i&gt;: uno de cada dos cubos (tablero), para ver dónde se resuelven los detalles. &lt;i&gt;uniform&lt;/i&gt;: ningún cuerpo, de modo que toda estructura que aparezca es ruido. &lt;i&gt; polygons&lt;/i&gt;: cuerpos de una capa con los campos &lt;i&gt;density&lt;/i&gt; (g/cm³), &lt;i&gt;base&lt;/i&gt; y &lt;i&gt;top&lt;/i&gt; (m sobre el nivel del mar). La roca alrededor tiene la densidad indicada con la física.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;What it does.&lt;/b&gt; The thickness of rock comes from the elevation model as in &lt;i&gt;Muon radiography&lt;/i&gt;, the body from voxels of half the size; so the data are not made by the matrix that is inverted. The flux behind it, the acceptance and the days give the muons expected, and counts are drawn from them; the same seed draws the same counts. Counts are turned back into opacity with their errors, as in &lt;i&gt;Density from a measured muogram&lt;/i&gt;. Neighbouring pixels are merged up to a number of counts: pixels without a muon say no density, and leaving them out would make the rock look too light. Then the densities are found as in &lt;i&gt;Muon tomography&lt;/i&gt;. The real terrain is known better or worse than its model; here the model is the truth.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Qué hace.&lt;/b&gt; El espesor de roca viene del modelo de elevación como en &lt;i&gt;Radiografía de muones&lt;/i&gt;, y el cuerpo de vóxeles de la mitad del tamaño; así los datos no se hacen con la matriz que se invierte. El flujo detrás, la aceptancia y los días dan los muones esperados, y de ellos se sortean los conteos; la misma semilla da los mismos conteos. Los conteos se convierten de nuevo en opacidad con sus errores, como en &lt;i&gt;Densidad a partir de un muograma medido&lt;/i&gt;. Los píxeles vecinos se agrupan hasta cierto número de conteos: los píxeles sin ningún muon no dicen densidad, y omitirlos haría parecer la roca demasiado ligera. Luego se buscan las densidades como en &lt;i&gt;Tomografía de muones&lt;/i&gt;. El terreno real se conoce mejor o peor que su modelo; aquí el modelo es la verdad.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;Reading the result.&lt;/b&gt; &lt;i&gt;Contrast&lt;/i&gt;: that found over the true one, 1 where the whole of it is found. &lt;i&gt;Spread&lt;/i&gt;: standard deviation of the errors; for the model uniform, of the densities themselves. The errors of the views compare the sums along the three axes, as lengths in rock; the top view is normalised. Only voxels that a ray passes are compared, and the others are counted.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Cómo leer el resultado.&lt;/b&gt; &lt;i&gt;Contraste&lt;/i&gt;: el encontrado dividido por el verdadero, 1 donde se encuentra por completo. &lt;i&gt;Dispersión&lt;/i&gt;: desviación estándar de los errores; para el modelo uniform, de las propias densidades. Los errores de las vistas comparan las sumas a lo largo de los tres ejes, como longitudes en la roca; la vista superior está normalizada. Solo se comparan los vóxeles por los que pasa un rayo, y los demás se cuentan.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;Choosing the settings.&lt;/b&gt; Run the model uniform first: a prior, or a regularisation, under which the mountain stays uniform suits the noise. With the same settings, see then what is left of the body. Neither needs to know the answer.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Cómo elegir los ajustes.&lt;/b&gt; Ejecute primero el modelo uniform: un conocimiento previo, o una regularización, con el que la montaña sigue uniforme se ajusta al ruido. Vea después, con los mismos ajustes, qué queda del cuerpo. Ninguno de los dos necesita saber la respuesta.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;Time.&lt;/b&gt; The defaults answer in well under a minute. The finest voxels that make sense are those that two neighbouring rays tell apart.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Tiempo.&lt;/b&gt; Los valores predeterminados responden en bastante menos de un minuto. Los vóxeles más finos que tienen sentido son los que dos rayos vecinos distinguen.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;Counts.&lt;/b&gt; With the method &lt;i&gt;counts&lt;/i&gt; each telescope counts along its own trajectories, as wide as they are, from finer sub-rays and voxels than those of the fit. Factors, boresights and terrain are off as their errors say. Several surveys are drawn, and the log ends in a verdict: how many standard errors the body is worth at its place and among all places, how often it is seen, how often one is seen where there is none, how much of its contrast is found, and how far off.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Conteos.&lt;/b&gt; Con el método &lt;i&gt;counts&lt;/i&gt; cada telescopio cuenta a lo largo de sus propias trayectorias, tan anchas como son, con subrayos y vóxeles más finos que los del ajuste. Factores, direcciones de apuntado y terreno se desvían según sus errores. Se sortean varias campañas, y el registro termina en un veredicto: cuántos errores estándar vale el cuerpo en su lugar y entre todos los lugares, cuántas veces se ve, cuántas veces se ve uno donde no lo hay, cuánto de su contraste se encuentra y a qué distancia.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>Sites (empty: a ring around the target)</source>
-      <translation type="vanished">Sitios (vacío: un anillo alrededor del objetivo)</translation>
-    </message>
-    <message>
-      <source>Sites on the ring</source>
-      <translation type="vanished">Sitios en el anillo</translation>
-    </message>
-    <message>
-      <source>Give the number of sites on the ring, 1 or more, where no layer of sites is given.</source>
-      <translation type="vanished">Indique el número de sitios en el anillo, 1 o más, si no se da una capa de sitios.</translation>
-    </message>
-    <message>
-      <source>Radius of the ring (m)</source>
-      <translation type="vanished">Radio del anillo (m)</translation>
-    </message>
-    <message>
-      <source>Give the horizontal distance of the sites from the target in m, above 0.</source>
-      <translation type="vanished">Indique la distancia horizontal de los sitios al objetivo en m, mayor que 0.</translation>
-    </message>
-    <message>
-      <source>Azimuth of the first site (°)</source>
-      <translation type="vanished">Azimut del primer sitio (°)</translation>
-    </message>
-    <message>
-      <source>Give the azimuth of the first site as seen from the target, in degrees clockwise from north. The others follow clockwise, evenly spaced.</source>
-      <translation type="vanished">Indique el azimut del primer sitio visto desde el objetivo, en grados en sentido horario desde el norte. Los demás siguen en sentido horario, uniformemente espaciados.</translation>
-    </message>
-    <message>
-      <source>Azimuth where the arc ends (°)</source>
-      <translation type="vanished">Azimut donde termina el arco (°)</translation>
-    </message>
-    <message>
-      <source>Give the azimuth of the last site in degrees. A whole turn after the first is a full ring.</source>
-      <translation type="vanished">Indique el azimut del último sitio en grados. Una vuelta entera después del primero es un anillo completo.</translation>
-    </message>
-    <message>
-      <source>Sites may be moved by (m)</source>
-      <translation type="vanished">Los sitios se pueden mover (m)</translation>
-    </message>
-    <message>
-      <source>Give how far in m a site may be moved to flatter ground, 0 or more, less than the radius.</source>
-      <translation type="vanished">Indique cuánto en m se puede mover un sitio hacia suelo más plano, 0 o más, menos que el radio.</translation>
-    </message>
-    <message>
-      <source>Steepest slope at a site (°, empty: any)</source>
-      <translation type="vanished">Pendiente máxima en un sitio (°, vacío: cualquiera)</translation>
-    </message>
-    <message>
-      <source>Give the steepest ground in degrees, above 0 and up to 90, on which a site of the ring may lie. Sites without such ground nearby are left out.</source>
-      <translation type="vanished">Indique la mayor pendiente en grados, mayor que 0 y hasta 90, en la que puede estar un sitio del anillo. Los sitios sin suelo así cerca se omiten.</translation>
-    </message>
-    <message>
-      <source>Sites of the ring see the target</source>
-      <translation type="vanished">Los sitios del anillo ven el objetivo</translation>
-    </message>
-    <message>
-      <source>Whether sites are left out if ground rises above the line to the target on the nearest quarter of the way.</source>
-      <translation type="vanished">Si se omiten los sitios en los que el suelo sube por encima de la línea al objetivo en el cuarto más cercano del camino.</translation>
-    </message>
-    <message>
-      <source>Known model</source>
-      <translation type="vanished">Modelo conocido</translation>
-    </message>
-    <message>
-      <source>uniform: rock of one density. conduit: an upright cylinder. sphere. checkerboard: every other cube. polygons: what a layer holds.</source>
-      <translation type="vanished">uniform: roca de una sola densidad. conduit: un cilindro vertical. sphere: una esfera. checkerboard: uno de cada dos cubos. polygons: lo que contiene una capa.</translation>
-    </message>
-    <message>
-      <source>Density of the rock around (g/cm³, empty: the material's own)</source>
-      <translation type="vanished">Densidad de la roca alrededor (g/cm³, vacío: la del material)</translation>
-    </message>
-    <message>
-      <source>Give the density of the rock around the bodies in g/cm³, above 0 and up to 30.</source>
-      <translation type="vanished">Indique la densidad de la roca alrededor de los cuerpos en g/cm³, mayor que 0 y hasta 30.</translation>
-    </message>
-    <message>
-      <source>Density of the body (g/cm³)</source>
-      <translation type="vanished">Densidad del cuerpo (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Give the density of conduit, sphere or every other cube in g/cm³, above 0 and up to 30.</source>
-      <translation type="vanished">Indique la densidad del conducto, la esfera o los cubos alternos en g/cm³, mayor que 0 y hasta 30.</translation>
-    </message>
-    <message>
-      <source>Radius of conduit or sphere (m)</source>
-      <translation type="vanished">Radio del conducto o de la esfera (m)</translation>
-    </message>
-    <message>
-      <source>Give the radius in m, above 0.</source>
-      <translation type="vanished">Indique el radio en m, mayor que 0.</translation>
-    </message>
-    <message>
-      <source>Edge of the checkerboard's cubes (m)</source>
-      <translation type="vanished">Lado de los cubos del tablero (m)</translation>
-    </message>
-    <message>
-      <source>Give the edge of a cube in m, above 0.</source>
-      <translation type="vanished">Indique el lado de un cubo en m, mayor que 0.</translation>
-    </message>
-    <message>
-      <source>Position of the body (empty: the target)</source>
-      <translation type="vanished">Posición del cuerpo (vacío: el objetivo)</translation>
-    </message>
-    <message>
-      <source>Axis of the conduit or middle of the sphere, on the DEM.</source>
-      <translation type="vanished">Eje del conducto o centro de la esfera, sobre el MDE.</translation>
-    </message>
-    <message>
-      <source>Base of the conduit (m, empty: the volume's)</source>
-      <translation type="vanished">Base del conducto (m, vacío: la del volumen)</translation>
-    </message>
-    <message>
-      <source>Give the height of the conduit's lower end in m above sea level.</source>
-      <translation type="vanished">Indique la altura del extremo inferior del conducto en m sobre el nivel del mar.</translation>
-    </message>
-    <message>
-      <source>Top of the conduit (m, empty: the volume's)</source>
-      <translation type="vanished">Techo del conducto (m, vacío: el del volumen)</translation>
-    </message>
-    <message>
-      <source>Give the height of the conduit's upper end in m above sea level; above the ground there is none of it.</source>
-      <translation type="vanished">Indique la altura del extremo superior del conducto en m sobre el nivel del mar; por encima del suelo no hay conducto.</translation>
-    </message>
-    <message>
-      <source>Middle of the sphere (m, empty: the volume's)</source>
-      <translation type="vanished">Centro de la esfera (m, vacío: el del volumen)</translation>
-    </message>
-    <message>
-      <source>Give the height of the sphere's middle in m above sea level.</source>
-      <translation type="vanished">Indique la altura del centro de la esfera en m sobre el nivel del mar.</translation>
-    </message>
-    <message>
-      <source>Polygons of the model</source>
-      <translation type="vanished">Polígonos del modelo</translation>
-    </message>
-    <message>
-      <source>Layer of bodies for the model polygons, with the fields density (g/cm³), base and top (m above sea level); in any coordinate reference system. Later ones replace earlier ones.</source>
-      <translation type="vanished">Capa de cuerpos para el modelo polygons, con los campos density (g/cm³), base y top (m sobre el nivel del mar); en cualquier sistema de referencia de coordenadas. Los posteriores reemplazan a los anteriores.</translation>
-    </message>
-    <message>
-      <source>Days of counting</source>
-      <translation type="vanished">Días de conteo</translation>
-    </message>
-    <message>
-      <source>Give the days that each station counts, above 0.</source>
-      <translation type="vanished">Indique los días que cuenta cada estación, mayor que 0.</translation>
-    </message>
-    <message>
-      <source>Give the acceptance of one pixel in cm² sr, above 0. Counts grow with it and with the days.</source>
-      <translation type="vanished">Indique la aceptancia de un píxel en cm² sr, mayor que 0. Los conteos crecen con ella y con los días.</translation>
-    </message>
-    <message>
-      <source>Counting noise</source>
-      <translation type="vanished">Ruido de conteo</translation>
-    </message>
-    <message>
-      <source>Whether muons are counted. If not, every opacity is known, with the error given below: what the geometry alone can show.</source>
-      <translation type="vanished">Si se cuentan muones. Si no, se conoce cada opacidad, con el error indicado abajo: lo que puede mostrar la geometría sola.</translation>
-    </message>
-    <message>
-      <source>Merge pixels up to this many counts</source>
-      <translation type="vanished">Agrupar píxeles hasta este número de conteos</translation>
-    </message>
-    <message>
-      <source>Give the counts up to which neighbouring pixels are merged, 0 or more; 0 merges none. Pixels without a muon say no density, and leaving them out would make the rock look lighter than it is.</source>
-      <translation type="vanished">Indique los conteos hasta los cuales se agrupan píxeles vecinos, 0 o más; 0 no agrupa ninguno. Los píxeles sin ningún muon no dicen densidad, y omitirlos haría parecer la roca más ligera de lo que es.</translation>
-    </message>
-    <message>
-      <source>Give a whole number, 0 or more; the same seed draws the same counts.</source>
-      <translation type="vanished">Indique un número entero, 0 o más; la misma semilla da los mismos conteos.</translation>
-    </message>
-    <message>
-      <source>Extent of the volume (empty: where the muograms look)</source>
-      <translation type="vanished">Extensión del volumen (vacío: donde miran los muogramas)</translation>
-    </message>
-    <message>
-      <source>Rectangle on the map, as text xmin,xmax,ymin,ymax [EPSG:code], on the elevation model. Empty takes the rectangle with nine tenths of the rock on the rays.</source>
-      <translation type="vanished">Rectángulo en el mapa, como texto xmin,xmax,ymin,ymax [EPSG:code], sobre el modelo de elevación. Vacío toma el rectángulo con nueve décimas partes de la roca en los rayos.</translation>
-    </message>
-    <message>
-      <source>Voxel size (m, empty: by the number of voxels)</source>
-      <translation type="vanished">Tamaño del vóxel (m, vacío: según el número de vóxeles)</translation>
-    </message>
-    <message>
-      <source>Give the edge of a voxel in m, above 0.</source>
-      <translation type="vanished">Indique el lado de un vóxel en m, mayor que 0.</translation>
-    </message>
-    <message>
-      <source>Voxels along the longest side</source>
-      <translation type="vanished">Vóxeles en el lado más largo</translation>
-    </message>
-    <message>
-      <source>Give the number of voxels along the longest side of the volume, 1 to 1000. It counts where no voxel size is given, which is then rounded up.</source>
-      <translation type="vanished">Indique el número de vóxeles en el lado más largo del volumen, de 1 a 1000. Cuenta si no se da un tamaño de vóxel, que entonces se redondea hacia arriba.</translation>
-    </message>
-    <message>
-      <source>Base of the volume (m, empty: the lowest rays)</source>
-      <translation type="vanished">Base del volumen (m, vacío: los rayos más bajos)</translation>
-    </message>
-    <message>
-      <source>Give the height of the volume's floor in m above sea level, below its top. Empty takes where all but the lowest 2 % of the rock on the rays is above it.</source>
-      <translation type="vanished">Indique la altura del piso del volumen en m sobre el nivel del mar, por debajo de su techo. Vacío toma donde queda por encima toda la roca de los rayos salvo el 2 % más bajo.</translation>
-    </message>
-    <message>
-      <source>Top of the volume (m, empty: the highest ground)</source>
-      <translation type="vanished">Techo del volumen (m, vacío: el suelo más alto)</translation>
-    </message>
-    <message>
-      <source>Give the height of the volume's ceiling in m above sea level, above its base.</source>
-      <translation type="vanished">Indique la altura del techo del volumen en m sobre el nivel del mar, por encima de su base.</translation>
-    </message>
-    <message>
-      <source>Coordinate reference system (empty: the elevation model's or UTM)</source>
-      <translation type="vanished">Sistema de referencia de coordenadas (vacío: el del modelo de elevación o UTM)</translation>
-    </message>
-    <message>
-      <source>Projected coordinate reference system of the volume, true to scale there. Empty takes that of the elevation model if it is one in metres, else the UTM zone.</source>
-      <translation type="vanished">Sistema de referencia de coordenadas proyectado del volumen, fiel a la escala en ese lugar. Vacío toma el del modelo de elevación si es uno en metros; si no, la zona UTM.</translation>
-    </message>
-    <message>
-      <source>Voxels of air are known</source>
-      <translation type="vanished">Los vóxeles de aire se conocen</translation>
-    </message>
-    <message>
-      <source>Whether rock ends at the terrain. If not, all voxels are unknown and the rays of the sky count too: the shape of the mountain is reconstructed with its density.</source>
-      <translation type="vanished">Si la roca termina en el terreno. Si no, todos los vóxeles son desconocidos y los rayos del cielo también cuentan: la forma de la montaña se reconstruye junto con su densidad.</translation>
-    </message>
-    <message>
-      <source>Memory (GiB)</source>
-      <translation type="vanished">Memoria (GiB)</translation>
-    </message>
-    <message>
-      <source>Give the most memory in GiB for the paths of the rays, above 0. Where they need more, they are computed anew at every step, which is slow.</source>
-      <translation type="vanished">Indique la memoria máxima en GiB para los recorridos de los rayos, mayor que 0. Si necesitan más, se calculan de nuevo en cada paso, lo que es lento.</translation>
-    </message>
-    <message>
-      <source>Method</source>
-      <translation type="vanished">Método</translation>
-    </message>
-    <message>
-      <source>How densities are found. art: ART (Kaczmarz); bart: ART by blocks; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: Penalised likelihood, quadratic; pml-hybrid: Penalised likelihood, hybrid; ospml-quad: Penalised likelihood by subsets, quadratic; ospml-hybrid: Penalised likelihood by subsets, hybrid; tv: Total variation; grad: Gradient descent; tikhonov: Tikhonov; lsmr: Damped LSMR; bayes: Bayesian, Gaussian prior; counts: Fit of counts, Gaussian prior and Poisson likelihood. Those of the family art and sirt follow the data alone; pml, tv, grad, tikhonov and lsmr prefer smooth models, tv with sharp edges; bayes weighs data against a prior and tells its errors; counts does so for rasters of counts, with trajectories as wide as they are and pixels without a muon.</source>
-      <translation type="vanished">Cómo se buscan las densidades. art: ART (Kaczmarz); bart: ART por bloques; sart: SART; sirt: SIRT; mlem: MLEM; osem: OSEM; pml-quad: verosimilitud penalizada, cuadrática; pml-hybrid: verosimilitud penalizada, híbrida; ospml-quad: verosimilitud penalizada por subconjuntos, cuadrática; ospml-hybrid: verosimilitud penalizada por subconjuntos, híbrida; tv: variación total; grad: descenso por gradiente; tikhonov: Tikhonov; lsmr: LSMR amortiguado; bayes: bayesiano, conocimiento previo gaussiano; counts: ajuste de conteos, conocimiento previo gaussiano y verosimilitud de Poisson. Los de la familia de art y sirt siguen solo los datos; pml, tv, grad, tikhonov y lsmr prefieren modelos suaves, tv con bordes nítidos; bayes pondera los datos frente a un conocimiento previo y dice sus errores; counts lo hace con rásteres de conteos, con trayectorias tan anchas como son y píxeles sin ningún muon.</translation>
-    </message>
-    <message>
-      <source>Iterations (empty: the method's own)</source>
-      <translation type="vanished">Iteraciones (vacío: las propias del método)</translation>
-    </message>
-    <message>
-      <source>Give the most iterations, 1 or more; a sweep over all rays is one. Methods that reach the data's errors or converge end sooner.</source>
-      <translation type="vanished">Indique el máximo de iteraciones, 1 o más; una es un barrido sobre todos los rayos. Los métodos que alcanzan los errores de los datos o convergen terminan antes.</translation>
-    </message>
-    <message>
-      <source>Relaxation (empty: the method's own)</source>
-      <translation type="vanished">Relajación (vacío: la propia del método)</translation>
-    </message>
-    <message>
-      <source>Regularisation (empty: the method's own)</source>
-      <translation type="vanished">Regularización (vacío: la propia del método)</translation>
-    </message>
-    <message>
-      <source>Give the strength of the penalty on rough models of pml, ospml, tv, grad, tikhonov and lsmr, 0 or more; at 1 a step between neighbours weighs as much as the misfit of a voxel.</source>
-      <translation type="vanished">Indique la intensidad de la penalización de los modelos rugosos de pml, ospml, tv, grad, tikhonov y lsmr, 0 o más; con 1 un salto entre vecinos pesa tanto como el desajuste de un vóxel.</translation>
-    </message>
-    <message>
-      <source>Reference density (g/cm³, empty: the muograms' mean)</source>
-      <translation type="vanished">Densidad de referencia (g/cm³, vacío: la media de los muogramas)</translation>
-    </message>
-    <message>
-      <source>Give the density in g/cm³, above 0 and up to 30, of the rock outside the volume, of the start and of the prior.</source>
-      <translation type="vanished">Indique la densidad en g/cm³, mayor que 0 y hasta 30, de la roca fuera del volumen, del comienzo y del conocimiento previo.</translation>
-    </message>
-    <message>
-      <source>Error of the opacities (%)</source>
-      <translation type="vanished">Error de las opacidades (%)</translation>
-    </message>
-    <message>
-      <source>Give the standard error of opacities in % where there are no rasters of errors, 0 or more; it is at least that of a tenth of the mean opacity. 0 stands for unknown: then all rays count the same, no method stops at the errors, and bayes cannot be used.</source>
-      <translation type="vanished">Indique el error estándar de las opacidades en % donde no hay rásteres de errores, 0 o más; es al menos el de una décima parte de la opacidad media. 0 significa desconocido: entonces todos los rayos cuentan igual, ningún método se detiene en los errores y no se puede usar bayes.</translation>
-    </message>
-    <message>
-      <source>Error of the path lengths (m)</source>
-      <translation type="vanished">Error de las longitudes de los recorridos (m)</translation>
-    </message>
-    <message>
-      <source>Give the standard error of a ray's length in rock in m, 0 or more: what the elevation model does not show. It adds to the other errors.</source>
-      <translation type="vanished">Indique el error estándar de la longitud de un rayo en la roca en m, 0 o más: lo que el modelo de elevación no muestra. Se suma a los demás errores.</translation>
-    </message>
-    <message>
-      <source>Keep densities above zero</source>
-      <translation type="vanished">Mantener las densidades sobre cero</translation>
-    </message>
-    <message>
-      <source>Whether densities below zero are lifted to it; bayes does not.</source>
-      <translation type="vanished">Si las densidades por debajo de cero se elevan a cero; bayes no lo hace.</translation>
-    </message>
-    <message>
-      <source>Highest density (g/cm³, empty: none)</source>
-      <translation type="vanished">Mayor densidad (g/cm³, vacío: ninguna)</translation>
-    </message>
-    <message>
-      <source>Give the density in g/cm³, above 0, that none may exceed, such as that of the rock without pores; bayes knows none.</source>
-      <translation type="vanished">Indique la densidad en g/cm³, mayor que 0, que ninguna puede superar, como la de la roca sin poros; bayes no conoce ninguna.</translation>
-    </message>
-    <message>
-      <source>Order of the rays</source>
-      <translation type="vanished">Orden de los rayos</translation>
-    </message>
-    <message>
-      <source>interleaved: stations far apart take turns. sequential: as they come. random: drawn.</source>
-      <translation type="vanished">interleaved: se alternan estaciones alejadas entre sí. sequential: tal como vienen. random: al azar.</translation>
-    </message>
-    <message>
-      <source>Subsets (empty: the method's own)</source>
-      <translation type="vanished">Subconjuntos (vacío: los propios del método)</translation>
-    </message>
-    <message>
-      <source>Give the number of parts of bart, osem and ospml that the rays are dealt into, 1 or more.</source>
-      <translation type="vanished">Indique el número de partes de bart, osem y ospml en que se reparten los rayos, 1 o más.</translation>
-    </message>
-    <message>
-      <source>Stop at this multiple of the errors</source>
-      <translation type="vanished">Detenerse a este múltiplo de los errores</translation>
-    </message>
-    <message>
-      <source>Give the misfit, in standard errors, at which the methods without a penalty stop, 0 or more; 0 never stops.</source>
-      <translation type="vanished">Indique el desajuste, en errores estándar, en el que se detienen los métodos sin penalización, 0 o más; 0 nunca se detiene.</translation>
-    </message>
-    <message>
-      <source>Density step of the hybrid penalty (g/cm³)</source>
-      <translation type="vanished">Salto de densidad de la penalización híbrida (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Give the step between neighbours in g/cm³, above 0, from which the penalty of pml-hybrid and ospml-hybrid grows no faster than the step.</source>
-      <translation type="vanished">Indique el salto entre vecinos en g/cm³, mayor que 0, a partir del cual la penalización de pml-hybrid y ospml-hybrid no crece más rápido que el salto.</translation>
-    </message>
-    <message>
-      <source>Standard deviation of the prior (g/cm³)</source>
-      <translation type="vanished">Desviación estándar del conocimiento previo (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Give how far densities are from the reference before any muon, in g/cm³, above 0; for bayes and counts.</source>
-      <translation type="vanished">Indique cuánto se apartan las densidades de la referencia antes de cualquier muon, en g/cm³, mayor que 0; para bayes y counts.</translation>
-    </message>
-    <message>
-      <source>Correlation length of the prior (m)</source>
-      <translation type="vanished">Longitud de correlación del conocimiento previo (m)</translation>
-    </message>
-    <message>
-      <source>Give the distance in m, above 0, over which densities are alike; for bayes and counts.</source>
-      <translation type="vanished">Indique la distancia en m, mayor que 0, en la que las densidades se parecen; para bayes y counts.</translation>
-    </message>
-    <message>
-      <source>Draws for the error of the density</source>
-      <translation type="vanished">Sorteos para el error de la densidad</translation>
-    </message>
-    <message>
-      <source>Give how often bayes solves for drawn data, 1 or more, where the error of the density is wanted from more than 2000 rays; n draws tell it to 71/√n %.</source>
-      <translation type="vanished">Indique cuántas veces bayes resuelve con datos sorteados, 1 o más, si se quiere el error de la densidad de más de 2000 rayos; n sorteos lo dan con un 71/√n %.</translation>
-    </message>
-    <message>
-      <source>Error of the reference density (g/cm³)</source>
-      <translation type="vanished">Error de la densidad de referencia (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Give how far the mean density may be from the reference before any muon, in g/cm³, 0 or more; for counts, where it is estimated with the densities.</source>
-      <translation type="vanished">Indique cuánto puede apartarse la densidad media de la referencia antes de cualquier muon, en g/cm³, 0 o más; para counts, que la estima con las densidades.</translation>
-    </message>
-    <message>
-      <source>Error of each station's counts (%)</source>
-      <translation type="vanished">Error de los conteos de cada estación (%)</translation>
-    </message>
-    <message>
-      <source>Give the standard error, in %, of the factor between what a station counts and what acceptance, efficiency and days say, 0 or more; for counts, which estimate it.</source>
-      <translation type="vanished">Indique el error estándar, en %, del factor entre lo que cuenta una estación y lo que dicen aceptancia, eficiencia y días, 0 o más; para counts, que lo estima.</translation>
-    </message>
-    <message>
-      <source>Error of the flux (%)</source>
-      <translation type="vanished">Error del flujo (%)</translation>
-    </message>
-    <message>
-      <source>Give the standard error, in %, of the factor of the flux model that all stations share, 0 or more; for counts, which estimate it.</source>
-      <translation type="vanished">Indique el error estándar, en %, del factor del modelo de flujo que comparten todas las estaciones, 0 o más; para counts, que lo estima.</translation>
-    </message>
-    <message>
-      <source>Error of the boresights (°)</source>
-      <translation type="vanished">Error de las direcciones de apuntado (°)</translation>
-    </message>
-    <message>
-      <source>Give the standard error, in °, of azimuth and elevation of each boresight, 0 or more; for counts, which estimate both.</source>
-      <translation type="vanished">Indique el error estándar, en °, del acimut y de la elevación de cada dirección de apuntado, 0 o más; para counts, que estima ambos.</translation>
-    </message>
-    <message>
-      <source>Error of the terrain's heights (m)</source>
-      <translation type="vanished">Error de las alturas del terreno (m)</translation>
-    </message>
-    <message>
-      <source>Give the standard error of the elevation model's heights in m, 0 or more; for counts, which estimate where it is too high or too low. About 5 m for SRTM.</source>
-      <translation type="vanished">Indique el error estándar de las alturas del modelo de elevación en m, 0 o más; para counts, que estima dónde es demasiado alto o bajo. Unos 5 m para SRTM.</translation>
-    </message>
-    <message>
-      <source>Distance over which terrain errors are alike (m)</source>
-      <translation type="vanished">Distancia en la que los errores del terreno se parecen (m)</translation>
-    </message>
-    <message>
-      <source>Give the correlation length of the errors of the terrain's heights in m, above 0.</source>
-      <translation type="vanished">Indique la longitud de correlación de los errores de las alturas del terreno en m, mayor que 0.</translation>
-    </message>
-    <message>
-      <source>Detection efficiency (%)</source>
-      <translation type="vanished">Eficiencia de detección (%)</translation>
-    </message>
-    <message>
-      <source>Give the share of the muons that are counted, in %, above 0 and up to 100; for the method counts.</source>
-      <translation type="vanished">Indique la proporción de los muones que se cuentan, en %, mayor que 0 y hasta 100; para el método counts.</translation>
-    </message>
-    <message>
-      <source>Surveys drawn</source>
-      <translation type="vanished">Campañas sorteadas</translation>
-    </message>
-    <message>
-      <source>Give how many surveys are drawn for the verdict of the method counts, 1 to 1000; the densities are those of the first.</source>
-      <translation type="vanished">Indique cuántas campañas se sortean para el veredicto del método counts, de 1 a 1000; las densidades son las de la primera.</translation>
-    </message>
-    <message>
-      <source>Density (g/cm³)</source>
-      <translation type="vanished">Densidad (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Density of each voxel with rock that a ray passes. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
-      <translation type="vanished">Densidad de cada vóxel con roca por el que pasa un rayo. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
-    </message>
-    <message>
-      <source>Rays per voxel</source>
-      <translation type="vanished">Rayos por vóxel</translation>
-    </message>
-    <message>
-      <source>Number of rays through each voxel with rock. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
-      <translation type="vanished">Número de rayos por cada vóxel con roca. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
-    </message>
-    <message>
-      <source>Error of the density (g/cm³)</source>
-      <translation type="vanished">Error de la densidad (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Standard error of each density, of the methods bayes and counts. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
-      <translation type="vanished">Error estándar de cada densidad, de los métodos bayes y counts. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
-    </message>
-    <message>
-      <source>Voxels as points</source>
-      <translation type="vanished">Vóxeles como puntos</translation>
-    </message>
-    <message>
-      <source>Centre of each voxel with a density as a point with height, with density, rays and, where there is one, the error: for 3-D views.</source>
-      <translation type="vanished">Centro de cada vóxel con densidad como punto con altura, con densidad, rayos y, si lo hay, el error: para vistas en 3D.</translation>
-    </message>
-    <message>
-      <source>Residuals</source>
-      <translation type="vanished">Residuos</translation>
-    </message>
-    <message>
-      <source>CSV: what the densities leave unexplained of each muogram.</source>
-      <translation type="vanished">CSV: lo que las densidades dejan sin explicar de cada muograma.</translation>
-    </message>
-    <message>
-      <source>Density of the known model in the same voxels. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
-      <translation type="vanished">Densidad del modelo conocido en los mismos vóxeles. GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero.</translation>
-    </message>
-    <message>
-      <source>Stations</source>
-      <translation type="vanished">Estaciones</translation>
-    </message>
-    <message>
-      <source>Sites that were used, with their direction and distance to the target.</source>
-      <translation type="vanished">Sitios que se usaron, con su dirección y distancia al objetivo.</translation>
-    </message>
-    <message>
-      <source>Table of errors</source>
-      <translation type="vanished">Tabla de errores</translation>
-    </message>
-    <message>
-      <source>CSV: contrast, errors of the densities and of the views, and the numbers of the run.</source>
-      <translation type="vanished">CSV: contraste, errores de las densidades y de las vistas, y los números de la ejecución.</translation>
-    </message>
-    <message>
-      <source>Picture of the known model, of what is found and of the error, summed from the top, the front and the side, and in slices through the target.</source>
-      <translation type="vanished">Figura del modelo conocido, de lo encontrado y del error, sumados desde arriba, de frente y de lado, y en cortes por el objetivo.</translation>
-    </message>
-    <message>
-      <source>One HTML file with the panel, what is found of each body, the misfit by iteration and station, parameters, numbers, every warning and how to cite.</source>
-      <translation type="vanished">Un archivo HTML con el panel, lo encontrado de cada cuerpo, el desajuste por iteración y estación, parámetros, números, todas las advertencias y cómo citar.</translation>
-    </message>
-    <message>
-      <source>Contrast found over the true one</source>
-      <translation type="vanished">Contraste encontrado dividido por el verdadero</translation>
-    </message>
-    <message>
-      <source>Relative error of the densities</source>
-      <translation type="vanished">Error relativo de las densidades</translation>
-    </message>
-    <message>
-      <source>Standard deviation of the errors (g/cm³)</source>
-      <translation type="vanished">Desviación estándar de los errores (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Mean of the errors (g/cm³)</source>
-      <translation type="vanished">Media de los errores (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Top view, normalised: mean |ε|</source>
-      <translation type="vanished">Vista superior, normalizada: media de |ε|</translation>
-    </message>
-    <message>
-      <source>Top view, normalised: σ of |ε|</source>
-      <translation type="vanished">Vista superior, normalizada: σ de |ε|</translation>
-    </message>
-    <message>
-      <source>Front view: mean |ε| (km)</source>
-      <translation type="vanished">Vista frontal: media de |ε| (km)</translation>
-    </message>
-    <message>
-      <source>Front view: σ of |ε| (km)</source>
-      <translation type="vanished">Vista frontal: σ de |ε| (km)</translation>
-    </message>
-    <message>
-      <source>Side view: mean |ε| (km)</source>
-      <translation type="vanished">Vista lateral: media de |ε| (km)</translation>
-    </message>
-    <message>
-      <source>Side view: σ of |ε| (km)</source>
-      <translation type="vanished">Vista lateral: σ de |ε| (km)</translation>
-    </message>
-    <message>
-      <source>Muons counted</source>
-      <translation type="vanished">Muones contados</translation>
-    </message>
-    <message>
-      <source>Sites used</source>
-      <translation type="vanished">Sitios usados</translation>
-    </message>
-    <message>
-      <source>Rays used</source>
-      <translation type="vanished">Rayos usados</translation>
-    </message>
-    <message>
-      <source>Voxels with a density</source>
-      <translation type="vanished">Vóxeles con densidad</translation>
-    </message>
-    <message>
-      <source>Voxels with rock that no ray passes</source>
-      <translation type="vanished">Vóxeles con roca por los que no pasa ningún rayo</translation>
-    </message>
-    <message>
-      <source>Residual over data</source>
-      <translation type="vanished">Residuo dividido por los datos</translation>
-    </message>
-    <message>
-      <source>Mean square of residuals over their errors</source>
-      <translation type="vanished">Media del cuadrado de los residuos divididos por sus errores</translation>
-    </message>
-    <message>
-      <source>Iterations done</source>
-      <translation type="vanished">Iteraciones hechas</translation>
-    </message>
-    <message>
-      <source>Standard errors of the body at its place</source>
-      <translation type="vanished">Errores estándar del cuerpo en su lugar</translation>
-    </message>
-    <message>
-      <source>Standard errors of the body among all places</source>
-      <translation type="vanished">Errores estándar del cuerpo entre todos los lugares</translation>
-    </message>
-    <message>
-      <source>Surveys that see the body (%)</source>
-      <translation type="vanished">Campañas que ven el cuerpo (%)</translation>
-    </message>
-    <message>
-      <source>Surveys that see a body where there is none (%)</source>
-      <translation type="vanished">Campañas que ven un cuerpo donde no lo hay (%)</translation>
-    </message>
-    <message>
-      <source>Standard deviation of the contrast over the surveys</source>
-      <translation type="vanished">Desviación estándar del contraste entre las campañas</translation>
-    </message>
-    <message>
-      <source>Distance of the largest signal from the body (m)</source>
-      <translation type="vanished">Distancia de la mayor señal al cuerpo (m)</translation>
-    </message>
-    <message>
-      <source>Muon tomography</source>
-      <translation type="vanished">Tomografía de muones</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;Finds the density of the rock in three dimensions from muograms of several stations.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;Busca la densidad de la roca en tres dimensiones a partir de muogramas de varias estaciones.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;What you need.&lt;/b&gt; Muograms of one quantity, and the elevation model they were seen on. &lt;b&gt;Density&lt;/b&gt; (from &lt;i&gt;Density from a measured muogram&lt;/i&gt;), &lt;b&gt;opacity&lt;/b&gt;, &lt;b&gt;flux&lt;/b&gt; or &lt;b&gt;transmission&lt;/b&gt; show the inside of the mountain; flux and transmission are turned into opacity with the physics that the files name. &lt;b&gt;Thickness&lt;/b&gt; shows its shape alone. Rasters of errors are found by detector and directions. Without them an error in percent is assumed. The more sides the stations look from, the better: one station alone cannot tell near rock from far.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Qué se necesita.&lt;/b&gt; Muogramas de una misma magnitud, y el modelo de elevación sobre el que se vieron. La &lt;b&gt;densidad&lt;/b&gt; (de &lt;i&gt;Densidad a partir de un muograma medido&lt;/i&gt;), la &lt;b&gt;opacidad&lt;/b&gt;, el &lt;b&gt;flujo&lt;/b&gt; o la &lt;b&gt;transmisión&lt;/b&gt; muestran el interior de la montaña; flujo y transmisión se convierten en opacidad con la física que nombran los archivos. El &lt;b&gt;espesor&lt;/b&gt; muestra solo su forma. Los rásteres de errores se reconocen por detector y direcciones. Sin ellos se supone un error en porcentaje. Cuantos más lados miren las estaciones, mejor: una estación sola no distingue la roca cercana de la lejana.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;Counts.&lt;/b&gt; Rasters of &lt;b&gt;counts&lt;/b&gt; are fitted as they are (method &lt;i&gt;counts&lt;/i&gt;): each trajectory as wide as it is, with its telescope, days and efficiency from the file, and pixels without a muon as data. What is not known exactly is estimated with the densities, and told with its error: a factor for each station and for the flux, the mean density, each boresight, and the heights of the terrain. This is the way from a telescope to densities; densities of single pixels lose what the thin part of a wide trajectory lets through. Other methods do not read counts.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Conteos.&lt;/b&gt; Los rásteres de &lt;b&gt;conteos&lt;/b&gt; se ajustan tal como son (método &lt;i&gt;counts&lt;/i&gt;): cada trayectoria tan ancha como es, con el telescopio, los días y la eficiencia del archivo, y los píxeles sin ningún muon como datos. Lo que no se conoce exactamente se estima con las densidades y se dice con su error: un factor por estación y otro del flujo, la densidad media, cada dirección de apuntado y las alturas del terreno. Este es el camino de un telescopio a las densidades; las densidades de píxeles sueltos pierden lo que deja pasar la parte delgada de una trayectoria ancha. Los demás métodos no leen conteos.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;What it does.&lt;/b&gt; With counts, straight sub-rays fill each trajectory; of other quantities, each pixel is one straight ray along its middle, so that pixels wider than a voxel blur the result. Its lengths in the voxels are exact, cut off where the terrain begins and ends, with the Earth's curvature and the true north and scale of the projection. Voxels of air are no unknowns. Rock on the ray outside the volume is taken off at the reference density. Then the method finds the densities whose integrals along the rays are the opacities.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Qué hace.&lt;/b&gt; Con conteos, subrayos rectos llenan cada trayectoria; con otras magnitudes, cada píxel es un rayo recto por su centro, así que los píxeles más anchos que un vóxel desdibujan el resultado. Sus longitudes en los vóxeles son exactas, cortadas donde el terreno comienza y termina, con la curvatura de la Tierra y el norte y la escala verdaderos de la proyección. Los vóxeles de aire no son incógnitas. La roca del rayo fuera del volumen se descuenta con la densidad de referencia. Luego el método busca las densidades cuyas integrales a lo largo de los rayos son las opacidades.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;Which method.&lt;/b&gt; &lt;i&gt;bayes&lt;/i&gt; (default) weighs the data by their errors against a prior about the reference density: where rays say little, the density stays near it. It tells the error of each density. &lt;i&gt;tv&lt;/i&gt; prefers bodies with sharp edges; its regularisation must suit the noise. &lt;i&gt;sirt&lt;/i&gt;, &lt;i&gt;art&lt;/i&gt;, &lt;i&gt;sart&lt;/i&gt;, &lt;i&gt;mlem&lt;/i&gt; and their relatives follow the data and stop at their errors. Filtered back-projection and Gridrec need parallel rays and are refused.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Qué método.&lt;/b&gt; &lt;i&gt;bayes&lt;/i&gt; (predeterminado) pondera los datos por sus errores frente a un conocimiento previo en torno a la densidad de referencia: donde los rayos dicen poco, la densidad queda cerca de ella. Dice el error de cada densidad. &lt;i&gt;tv&lt;/i&gt; prefiere cuerpos con bordes nítidos; su regularización debe ajustarse al ruido. &lt;i&gt;sirt&lt;/i&gt;, &lt;i&gt;art&lt;/i&gt;, &lt;i&gt;sart&lt;/i&gt;, &lt;i&gt;mlem&lt;/i&gt; y sus parientes siguen los datos y se detienen en sus errores. La retroproyección filtrada y Gridrec necesitan rayos paralelos y se rechazan.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;The volume.&lt;/b&gt; Without an extent, it is where the muograms look. Voxels much smaller than the distance between rays cost memory and show nothing. Where the paths do not fit the memory, they are computed anew at each step.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;El volumen.&lt;/b&gt; Sin una extensión, está donde miran los muogramas. Los vóxeles mucho menores que la distancia entre rayos cuestan memoria y no muestran nada. Si los recorridos no caben en la memoria, se calculan de nuevo en cada paso.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;What comes out.&lt;/b&gt; &lt;i&gt;Density&lt;/i&gt;, &lt;i&gt;rays per voxel&lt;/i&gt; and &lt;i&gt;error of the density&lt;/i&gt; are GeoTIFFs on the map with a band for each elevation slice, the lowest first; each band is named after the height of its centre. The slice of the target is shown first. From QGIS 3.38 on, the elevation controller steps through them. Voxels in air and those that no ray passes have no data; they and the pixels that were not used are counted in the log, by cause.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;&lt;b&gt;Qué resulta.&lt;/b&gt; &lt;i&gt;Densidad&lt;/i&gt;, &lt;i&gt;rayos por vóxel&lt;/i&gt; y &lt;i&gt;error de la densidad&lt;/i&gt; son GeoTIFF en el mapa con una banda por corte de elevación, el más bajo primero; cada banda lleva el nombre de la altura de su centro. Primero se muestra el corte del objetivo. Desde QGIS 3.38 el controlador de elevación los recorre. Los vóxeles en el aire y aquellos por los que no pasa ningún rayo quedan sin dato; ellos y los píxeles que no se usaron se cuentan en el registro, según la causa.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;Residuals&lt;/b&gt; tell for each muogram what the densities leave unexplained. Chi squared per ray is about 1 where model and errors are right. Much more means that errors are too small, or that muograms contradict each other.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;Los &lt;b&gt;residuos&lt;/b&gt; dicen para cada muograma lo que las densidades dejan sin explicar. Chi cuadrado por rayo es aproximadamente 1 donde el modelo y los errores son correctos. Mucho más significa que los errores son demasiado pequeños, o que los muogramas se contradicen.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>&lt;p&gt;&lt;b&gt;Residual muograms&lt;/b&gt; and &lt;b&gt;factors&lt;/b&gt; show where counts are not explained: noise of size 1 everywhere is a perfect fit. A warning says so where chi squared is above 1.5, a density is that of no rock, or a factor or a boresight is far from what was known, with the cause and what to do.&lt;/p&gt;</source>
-      <translation type="vanished">&lt;p&gt;Los &lt;b&gt;muogramas de residuos&lt;/b&gt; y los &lt;b&gt;factores&lt;/b&gt; muestran dónde los conteos no quedan explicados: ruido de tamaño 1 en todas partes es un ajuste perfecto. Una advertencia lo dice donde chi cuadrado supera 1.5, una densidad no es la de ninguna roca, o un factor o una dirección de apuntado están lejos de lo que se sabía, con la causa y qué hacer.&lt;/p&gt;</translation>
-    </message>
-    <message>
-      <source>Muograms</source>
-      <translation type="vanished">Muogramas</translation>
-    </message>
-    <message>
-      <source>Muograms of one quantity from several stations: counts, density, opacity, flux, transmission or thickness, or rasters in telescope angles. They say themselves what they hold and where their detectors stand; counts also say the days, and telescope or acceptance.</source>
-      <translation type="vanished">Muogramas de una misma magnitud desde varias estaciones: conteos, densidad, opacidad, flujo, transmisión o espesor, o rásteres en ángulos del telescopio. Ellos mismos dicen qué contienen y dónde están sus detectores; los conteos dicen además los días, y el telescopio o la aceptancia.</translation>
-    </message>
-    <message>
-      <source>Errors of the muograms</source>
-      <translation type="vanished">Errores de los muogramas</translation>
-    </message>
-    <message>
-      <source>Rasters of the standard errors, such as density error, one for each muogram, in any order: they are matched by detector and directions.</source>
-      <translation type="vanished">Rásteres de los errores estándar, como el error de la densidad, uno por muograma, en cualquier orden: se asocian por detector y direcciones.</translation>
-    </message>
-    <message>
-      <source>Acceptances of the counts</source>
-      <translation type="vanished">Aceptancias de los conteos</translation>
-    </message>
-    <message>
-      <source>Rasters of acceptances in cm² sr on the pixels of counts, in any order; without one, that of the telescope or of the metadata (ACCEPTANCE) counts.</source>
-      <translation type="vanished">Rásteres de aceptancias en cm² sr en los píxeles de los conteos, en cualquier orden; sin uno, vale la del telescopio o la de los metadatos (ACCEPTANCE).</translation>
-    </message>
-    <message>
-      <source>Line of a vertical section</source>
-      <translation type="vanished">Línea de una sección vertical</translation>
-    </message>
-    <message>
-      <source>Layer whose first line says where the vertical section runs; in any coordinate reference system.</source>
-      <translation type="vanished">Capa cuya primera línea dice por dónde pasa la sección vertical; en cualquier sistema de referencia de coordenadas.</translation>
-    </message>
-    <message>
-      <source>Factors and boresights</source>
-      <translation type="vanished">Factores y direcciones de apuntado</translation>
-    </message>
-    <message>
-      <source>CSV, of the method counts: mean density, factor of the flux, and factor and boresight of each station, with what was known before and the errors of both.</source>
-      <translation type="vanished">CSV, del método counts: densidad media, factor del flujo, y factor y dirección de apuntado de cada estación, con lo que se sabía antes y los errores de ambos.</translation>
-    </message>
-    <message>
-      <source>Folder of residual muograms</source>
-      <translation type="vanished">Carpeta de muogramas de residuos</translation>
-    </message>
-    <message>
-      <source>Holds a GeoTIFF for each raster of counts, of the method counts: counts less what the densities expect, over the standard error; noise of size 1 where all is explained.</source>
-      <translation type="vanished">Contiene un GeoTIFF por ráster de conteos, del método counts: conteos menos lo que esperan las densidades, divididos por el error estándar; ruido de tamaño 1 donde todo está explicado.</translation>
-    </message>
-    <message>
-      <source>Vertical section</source>
-      <translation type="vanished">Sección vertical</translation>
-    </message>
-    <message>
-      <source>Picture of the densities below the line, with the ground.</source>
-      <translation type="vanished">Figura de las densidades bajo la línea, con el suelo.</translation>
-    </message>
-    <message>
-      <source>Picture of slices and sections through the target, views from the top, the front and the side, and the rays per voxel, with a map of the stations.</source>
-      <translation type="vanished">Figura de cortes y secciones por el objetivo, vistas desde arriba, de frente y de lado, y los rayos por vóxel, con un mapa de las estaciones.</translation>
-    </message>
-    <message>
-      <source>One HTML file with the panel, the misfit by iteration and station, parameters, numbers, every warning and how to cite.</source>
-      <translation type="vanished">Un archivo HTML con el panel, el desajuste por iteración y estación, parámetros, números, todas las advertencias y cómo citar.</translation>
-    </message>
-    <message>
-      <source>Mean density of the voxels (g/cm³)</source>
-      <translation type="vanished">Densidad media de los vóxeles (g/cm³)</translation>
-    </message>
-    <message>
-      <source>Reference density used (g/cm³)</source>
-      <translation type="vanished">Densidad de referencia usada (g/cm³)</translation>
     </message>
     <message>
       <source>Standard error of each density, of the method bayes. A GeoTIFF on the map with a band for each elevation slice, the lowest first.</source>
