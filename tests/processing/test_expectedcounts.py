@@ -111,7 +111,7 @@ def test_unknown_and_warnings_are_told(run, everything, recorder):
     assert any("horizon" in text for text in feedback.infos)
     assert any("5 m below ground" in warning for warning in feedback.warnings)
     report = Path(results["REPORT"]).read_text(encoding="utf-8")
-    for words in ("below ground", "horizon", "Peña-Rodríguez", "Lesparre", "Gaisser", "3 σ"):
+    for words in ("below ground", "horizon", "Peña-Rodríguez", "Lesparre", "SIBYLL", "3 σ"):
         assert words in report
 
 

@@ -165,7 +165,7 @@ def test_panel_and_report_hold_what_they_promise(run, everything):
     assert len(pictures) == 4
     for picture in pictures:
         assert base64.b64decode(picture).startswith(b"\x89PNG")
-    for words in ("vesuvius_srtmgl1.tif", "Gaisser", "Peña-Rodríguez", "Median exposure", "g/cm³"):
+    for words in ("vesuvius_srtmgl1.tif", "SIBYLL", "Peña-Rodríguez", "Median exposure", "g/cm³"):
         assert words in report
     assert "<script" not in report
 

@@ -46,11 +46,12 @@ def test_parameters_have_names_units_and_what_stands_for_nothing(tables):
     assert told["Maximum range"] == ["as far as the DEM", ""]
     assert told["Density"] == ["the material's own", ""]
     assert told["Material"] == ["Standard rock", ""]
-    assert told["Muon flux model"] == ["Gaisser (MUSIC/MUSUN)", ""]
-    assert told["Parameters of the Gaisser formula"] == ["Gaisser 1990", ""]
+    assert told["Muon flux model"] == ["GSF–SIBYLL", ""]
+    # A table has no constants, and the altitude in it.
+    assert "Parameters of the Gaisser formula" not in told
+    assert "Correct for altitude" not in told
     assert told["Energy loss"] == ["Range table (csda)", ""]
     assert told["Correct for straggling"] == ["no", ""]
-    assert told["Correct for altitude"] == ["yes", ""]
 
 
 def test_parameters_without_a_meaning_are_left_out(tables):
