@@ -89,7 +89,7 @@
     </message>
     <message>
       <source>Where the muons were counted, on the DEM. As text: x,y [EPSG:code]. Empty takes DETECTOR_LON and DETECTOR_LAT from the metadata of the measured muogram.</source>
-      <translation>Dónde se contaron los muones, sobre el DEM. Como texto: x,y [EPSG:código]. Vacío toma DETECTOR_LON y DETECTOR_LAT de los metadatos del muograma medido.</translation>
+      <translation>Dónde se contaron los muones, sobre el DEM. Como texto: x,y [EPSG:code]. Vacío toma DETECTOR_LON y DETECTOR_LAT de los metadatos del muograma medido.</translation>
     </message>
     <message>
       <source>Detector height above ground (m, empty: as the muogram says)</source>

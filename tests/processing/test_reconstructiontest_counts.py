@@ -17,7 +17,7 @@ def setting(data_folder, tmp_path):
         "MODEL": "sphere", "ROCK_DENSITY": 2.65, "BODY_DENSITY": 2.0, "BODY_RADIUS": 170,
         "BODY_MIDDLE": 1060, "EXTENT": "451300,452500,4518600,4519800 [EPSG:32633]",
         "VOXEL_SIZE": 120, "BASE": 900, "TOP": 1300, "PRESET": "custom", "BARS_X": 7,
-        "PIXEL_SIZE": 8, "SEPARATION": 90, "DAYS": 100, "METHOD": "counts", "DRAWS": 2,
+        "PIXEL_SIZE": 8, "SEPARATION": 90, "DAYS": 200, "METHOD": "counts", "DRAWS": 2,
         "DENSITY": str(tmp_path / "density.tif"), "COVERAGE": None,
     }  # fmt: skip
 
