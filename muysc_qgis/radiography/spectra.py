@@ -50,9 +50,10 @@ class SpectrumModel:
     name: str
     title: str
     citation: str
-    #: dI/dE in cm⁻² s⁻¹ sr⁻¹ GeV⁻¹ of total energy (GeV), momentum (GeV/c), cosine of
-    #: the zenith angle and Gaisser's constants; models that need fewer ignore the rest.
-    evaluate: Callable[[np.ndarray, np.ndarray, np.ndarray, GaisserParameters], np.ndarray]
+    #: dI/dE in cm⁻² s⁻¹ sr⁻¹ GeV⁻¹ of total energy (GeV), momentum (GeV/c), cosine of the
+    #: zenith angle, Gaisser's constants and altitude (m); what a model has no use for it
+    #: ignores.
+    evaluate: Callable[[np.ndarray, np.ndarray, np.ndarray, GaisserParameters, float], np.ndarray]
     #: Range of total energy in GeV that its publication gives the model …
     lower_gev: float
     upper_gev: float
@@ -139,10 +140,6 @@ class SpectrumModel:
 DEFAULT_MODEL = "gsf-sibyll"
 
 
-def _no_formula(*_: object) -> np.ndarray:
-    raise NotImplementedError("a tabulated spectrum needs the altitude too")
-
-
 #: Every spectrum by its name in the interface.
 MODELS = {
     model.name: model
@@ -151,7 +148,7 @@ MODELS = {
             "gaisser",
             "Gaisser",
             "Gaisser (1990), Cosmic Rays and Particle Physics, Cambridge University Press",
-            lambda energy, momentum, cosine, parameters: gaisser(energy, cosine, parameters),
+            lambda energy, momentum, cosine, parameters, _: gaisser(energy, cosine, parameters),
             lower_gev=100.0,
             upper_gev=1e5,
             lower_per_cosine=True,
@@ -169,7 +166,9 @@ MODELS = {
             "Gaisser (MUSIC/MUSUN)",
             "Kudryavtsev (2009), doi:10.1016/j.cpc.2008.10.013, after Dar (1983), "
             "doi:10.1103/PhysRevLett.51.227",
-            lambda energy, momentum, cosine, parameters: gaisser_tang(energy, cosine, parameters),
+            lambda energy, momentum, cosine, parameters, _: gaisser_tang(
+                energy, cosine, parameters
+            ),
             # Below 1 GeV/cosθ* Tang et al. (2006) change the formula once more; this one runs
             # on. The name is the first that it had here, and is kept for projects.
             lower_gev=1.0,
@@ -192,7 +191,7 @@ MODELS = {
             "bugaev",
             "Bugaev",
             "Bugaev et al. (1998), doi:10.1103/PhysRevD.58.054001",
-            lambda energy, momentum, cosine, parameters: (
+            lambda energy, momentum, cosine, parameters, _: (
                 bugaev(momentum) * energy / momentum * np.ones_like(cosine)
             ),
             lower_gev=1.0,
@@ -208,7 +207,7 @@ MODELS = {
             "reyna-bugaev",
             "Reyna–Bugaev",
             "Reyna (2006), arXiv:hep-ph/0604145",
-            lambda energy, momentum, cosine, parameters: (
+            lambda energy, momentum, cosine, parameters, _: (
                 reyna_bugaev(momentum, cosine) * energy / momentum
             ),
             lower_gev=1.0,
@@ -229,7 +228,7 @@ MODELS = {
             "Reyna–Hebbeker",
             "Hebbeker & Timmermans (2002), doi:10.1016/S0927-6505(01)00180-3, inclined as "
             "in Reyna (2006), arXiv:hep-ph/0604145",
-            lambda energy, momentum, cosine, parameters: (
+            lambda energy, momentum, cosine, parameters, _: (
                 reyna_hebbeker(momentum, cosine) * energy / momentum
             ),
             lower_gev=10.0,
@@ -249,7 +248,7 @@ MODELS = {
             "guan",
             "Guan et al.",
             "Guan et al. (2015), arXiv:1509.06176",
-            lambda energy, momentum, cosine, parameters: guan(energy, cosine),
+            lambda energy, momentum, cosine, parameters, _: guan(energy, cosine),
             lower_gev=1.0,
             upper_gev=1e5,
             lower_per_cosine=False,
@@ -263,7 +262,9 @@ MODELS = {
             "primaries of Dembinski et al. (2017), arXiv:1711.11432, hadrons by SIBYLL 2.3d, "
             "Riehn et al. (2020), doi:10.1103/PhysRevD.102.063002, and UrQMD 3.4; fitted to "
             "BESS-TeV and L3+C",
-            _no_formula,
+            lambda energy, momentum, cosine, parameters, altitude: muon_sky.muon_sky().flux(
+                energy - MUON_MASS_GEV, cosine, altitude
+            ),
             lower_gev=muon_sky.LOWEST_GEV + MUON_MASS_GEV,
             upper_gev=muon_sky.HIGHEST_GEV + MUON_MASS_GEV,
             lower_per_cosine=False,
@@ -316,11 +317,10 @@ def differential_flux(
         momentum are converted by dI/dE = dI/dp · E/p.
     """
     kinetic_energy_gev = np.asarray(kinetic_energy_gev, dtype=float)
-    if MODELS[model].tabulated:
-        return muon_sky.muon_sky().flux(kinetic_energy_gev, cos_zenith, altitude_m)
     return MODELS[model].evaluate(
         kinetic_energy_gev + MUON_MASS_GEV,
         momentum_from_kinetic(kinetic_energy_gev),
         np.asarray(cos_zenith, dtype=float),
         GAISSER_PARAMETERS[gaisser_parameters],
+        altitude_m,
     )
