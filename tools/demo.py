@@ -37,6 +37,7 @@ VIEW = {
 }
 FILES = {
     "THICKNESS": "thickness.tif",
+    "THICKNESS_ERROR": "thickness_error.tif",
     "OPACITY": "opacity.tif",
     "MINIMUM_ENERGY": "minimum_energy.tif",
     "FLUX": "flux.tif",

@@ -315,7 +315,8 @@ def _inverted(
         Measurement(view, None if errors is None else errors.view),
         rock,
         one.physics(),
-        DensityChoices(),
+        # What the flux model does not know is common to all pixels, and no noise of each.
+        DensityChoices(model_uncertainty=0.0),
         one.number("DETECTOR_ELEVATION"),
     ).densities
     flags = found.flags.ravel()

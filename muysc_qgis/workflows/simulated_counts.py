@@ -201,8 +201,8 @@ def _errors(found: Densities, thickness_m: np.ndarray) -> np.ndarray:
     error = found.error * thickness_m * G_CM2_PER_M_WATER_EQUIVALENT
     if found.region is not None:
         error = errors_of_pixels(error, found.region)
-    # The sky is no less sure than the thinnest rock.
-    sky = found.flags == Flag.SKY
-    if sky.any() and np.isfinite(error).any():
-        error = np.where(sky, np.nanmin(error), error)
+    # The sky is no less sure than the thinnest rock that was measured.
+    sky, measured = found.flags == Flag.SKY, found.flags == Flag.MEASURED
+    if sky.any() and np.isfinite(error[measured]).any():
+        error = np.where(sky, np.nanmin(error[measured]), error)
     return error

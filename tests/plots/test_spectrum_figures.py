@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_hex
 
 from muysc_qgis.plots.provenance import Provenance
 from muysc_qgis.plots.report import report_html
@@ -84,7 +85,11 @@ def test_ratios_are_to_the_default_model(comparison, spectrum_axes):
 
 def test_the_area_that_counts_starts_at_the_minimum_energy(comparison, spectrum_axes):
     for main, _ in spectrum_axes.values():
-        (area,) = main.collections
+        (area,) = (
+            one
+            for one in main.collections
+            if isinstance(one, PolyCollection) and to_hex(one.get_facecolor()[0]) == looks.COUNTED
+        )
         corners = area.get_paths()[0].vertices
         assert corners[:, 0].min() == pytest.approx(comparison.minimum_energy_gev)
         assert corners[:, 0].max() == pytest.approx(1e5)

@@ -163,12 +163,13 @@ def test_tables_hold_the_curves(comparison, tmp_path, table):
 
 
 def test_spectrum_and_flux_rows_are_the_librarys(comparison):
-    model, zenith, energy, flux, holds = rows(comparison, "spectra")[-1]
+    model, zenith, energy, flux, holds, error = rows(comparison, "spectra")[-1]
     last = comparison.spectra[-1]
     assert (model, zenith) == (last.model, last.zenith_deg)
     assert (energy, flux, holds) == (
         last.kinetic_energy_gev[-1], last.flux[-1], int(last.holds[-1]),
     )  # fmt: skip
+    assert error == last.error[-1] > 0.1
     fluxes = rows(comparison, "fluxes")
     marked = [row for row in fluxes if row[3] == comparison.opacity_g_cm2]
     assert [row[0] for row in marked] == [one.model for one in comparison.behind]

@@ -138,7 +138,7 @@ def test_the_fit_of_merged_pixels_ends_where_that_of_their_regions_would(station
     """Their errors are √n times as wide and they scatter together: at √(regions/pixels), not 1."""
     model = KnownModel("conduit", ROCK, 1.0, 250.0, centre=MIDDLE)
     choices = TomographyChoices("sirt", Options(iterations=100), ROCK)
-    campaign = Campaign(30.0, Telescope(10.0), minimum_counts=50.0)
+    campaign = Campaign(40.0, Telescope(10.0), minimum_counts=50.0)
     fit = find(stations, dem, model, campaign, choices).tomography.reconstruction
     assert fit.stopped_by == "discrepancy"
     # Regions of three to four pixels on the mean.

@@ -48,7 +48,7 @@ def judged(stations, dem, model, days=100.0, pixels=12, telescope=TELESCOPE, dra
 
 
 def test_a_body_is_seen_where_it_is(stations, dem):
-    found = judged(stations, dem, BODY)
+    found = judged(stations, dem, BODY, days=140.0)
     verdict = found.verdict
     assert verdict.significance > 5
     assert verdict.overall < verdict.significance

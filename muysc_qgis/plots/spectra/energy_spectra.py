@@ -134,7 +134,7 @@ def _draw_measured(main: Axes, ratio: Axes, base: SpectrumCurve, comparison: Com
         inside = (energy >= base.kinetic_energy_gev[0]) & (energy <= base.kinetic_energy_gev[-1])
         energy, flux, error = energy[inside], flux[inside], error[inside]
         reference = np.exp(np.interp(np.log(energy), ln_energy, np.log(base.flux)))
-        look = {"fmt": looks.MEASURED[name], "color": style.INK, "linewidth": 0, **_POINTS}
+        look = {"fmt": looks.MEASURED[name], "color": looks.POINTS, "linewidth": 0, **_POINTS}
         main.errorbar(energy, flux, error, **look)
         ratio.errorbar(energy, flux / reference, error / reference, **look)
 
@@ -177,7 +177,7 @@ def _draw_legend(figure: Figure, top_in: float, comparison: Comparison) -> None:
     nearest = min(comparison.zenith_deg)
     for name in carried_to(nearest, 0.0):
         artists.append(
-            Line2D([], [], color=style.INK, linestyle="", marker=looks.MEASURED[name], **_DOTS)
+            Line2D([], [], color=looks.POINTS, linestyle="", marker=looks.MEASURED[name], **_DOTS)
         )
         labels.append(f"{name}, scaled to the angle")
     if np.isfinite(comparison.minimum_energy_gev):

@@ -34,8 +34,9 @@ _MATERIAL_LINES = ("-", (0, (6, 1.5)))
 
 #: How much of a line shows outside the range that a model was made for.
 FADED = 0.25
-#: How much of a model's error shows, and the markers of measurements.
+#: How much of a model's error shows, and the colour and markers of measurements.
 BAND = 0.18
+POINTS = "#666666"
 MEASURED = {"BESS-TeV": "o", "L3+C": "s"}
 #: The area that counts.
 COUNTED = "#f0e442"
