@@ -31,7 +31,7 @@ def all_rows() -> list[Row]:
 
 def own_rows() -> list[Row]:
     """Compute every row that needs no other code."""
-    modules = (shape_rows, sky_rows, formula_ranges, terrain_rows, paper_rows, physics_rows)
+    modules = (shape_rows, terrain_rows, paper_rows, sky_rows, formula_ranges, physics_rows)
     return [row for module in modules for row in module.rows()]
 
 
