@@ -98,7 +98,8 @@ def altitude_rows(mulder: ModuleType) -> Iterator[Row]:
                     _SECTION, f"Flux at {altitude:g} m over that at the sea, zenith "
                     f"{zenith:g}°, {p:g} GeV/c",
                     float(factor), "1", float(expected),
-                    "mulder 0.3.7 (Niess 2022): losses and decay down to the sea", 0.02, mulder=True,
+                    "mulder 0.3.7 (Niess 2022): losses and decay down to the sea", 0.02,
+                    mulder=True,
                 )  # fmt: skip
 
 
