@@ -139,7 +139,7 @@ class MuonSky:
         curves = self.zenith.along(zenith_coordinate(cosine), there)
         slopes = curves @ self.ln_energy.slopes.T
         # … from which every ray reads its own at its energy.
-        x = np.log(np.asarray(kinetic_energy_gev, dtype=float))
+        x = np.log(np.maximum(kinetic_energy_gev, np.finfo(float).tiny))
         k, t, width = self.ln_energy.locate(np.where(np.isnan(x), self.ln_energy.knots[0], x))
         here = row.reshape(np.shape(cos_zenith)) * len(self.ln_energy.knots) + k
         value, slope = curves.ravel(), slopes.ravel()

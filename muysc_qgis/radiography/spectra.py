@@ -263,7 +263,10 @@ MODELS = {
             "Riehn et al. (2020), doi:10.1103/PhysRevD.102.063002, and UrQMD 3.4; fitted to "
             "BESS-TeV and L3+C",
             lambda energy, momentum, cosine, parameters, altitude: muon_sky.muon_sky().flux(
-                energy - MUON_MASS_GEV, cosine, altitude
+                # Without the rounding of what is left of the total energy.
+                kinetic_from_momentum(momentum),
+                cosine,
+                altitude,
             ),
             lower_gev=muon_sky.LOWEST_GEV + MUON_MASS_GEV,
             upper_gev=muon_sky.HIGHEST_GEV + MUON_MASS_GEV,

@@ -165,6 +165,12 @@ def test_beyond_the_table_the_flux_goes_on_as_a_power_of_the_energy():
     assert flux[0] > flux[1] > flux[2] > 0
 
 
+def test_a_threshold_of_next_to_nothing_gives_a_number():
+    for threshold in (1e-300, 5e-324):
+        sky = attenuate(0.0, 20.0, Physics(detection_threshold_gev=threshold)).open_sky
+        assert attenuate(0.0, 20.0, Physics()).open_sky < sky < np.inf
+
+
 def test_more_altitude_is_more_muons_and_most_of_all_near_the_horizon():
     # In the open sky above 1 GeV/c, independent of the former exp(h/h0).
     ratio = [
