@@ -105,7 +105,8 @@ def _view_rows(tomography: Tomography, truth: Volume) -> list[_Row]:
     rows: list[_Row] = []
     for name, error in paper_errors(tomography, truth).items():
         sums = [view(tomography.grid, values, name) for values in (known, found)]
-        units = [np.nanmax(np.abs(one)) if name == "top" else unit for one in sums]
+        # Where nothing was found there is nothing to scale.
+        units = [float(np.nanmax(np.abs(one))) or 1.0 if name == "top" else unit for one in sums]
         word = "" if name == "top" else " km"
         cuts = [view_cut(truth, name, one / by) for one, by in zip(sums, units)]
         rock = np.isfinite(view(tomography.grid, tomography.coverage.values, name))
