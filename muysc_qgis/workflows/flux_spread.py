@@ -1,4 +1,4 @@
-"""The spread of the flux models beside a simulation."""
+"""How well the flux is known, beside a simulation."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .simulation import Simulation
 def with_flux_spread(
     simulation: Simulation, physics: Physics, altitude_m: float | None = None
 ) -> Simulation:
-    """Add the smallest and largest flux over the models that hold for each ray.
+    """Add how small and how large the flux of each ray may well be, see `model_envelope`.
 
     Parameters
     ----------
     simulation
         What was simulated with `physics`.
     physics
-        Its flux model is replaced by every other one.
+        With a formula, it is replaced by every other one.
     altitude_m
         Altitude of the detector in m, None for the muograms' DETECTOR_ELEVATION.
 
