@@ -112,7 +112,7 @@ def lay_sightlines(
     ground = ground_below(grid, frame, dem, part(progress, 0.0, 0.2))
     metric = frame.metric(grid)
     thickness = np.concatenate([seen.thickness_m for seen in rock])
-    rays = _rays(stations, frame)
+    rays = rays_of(stations, frame)
     counts = {
         cause: int(sum(np.count_nonzero(seen.outcome == outcome) for seen in rock))
         for outcome, cause in UNKNOWN_ROCK.items()
@@ -143,7 +143,7 @@ def lay_sightlines(
     )  # fmt: skip
 
 
-def _rays(stations: Sequence[StationData], frame: VolumeFrame) -> Rays:
+def rays_of(stations: Sequence[StationData], frame: VolumeFrame) -> Rays:
     """Return the rays of all pixels in the frame."""
     parts = []
     for number, one in enumerate(stations):

@@ -11,12 +11,11 @@ import numpy as np
 from ..tomography.ground import HeightField
 from ..tomography.lattice import Lattice
 from ..tomography.libraries import scipy_part
-from ..tomography.rays import Rays, joined
+from ..tomography.rays import Rays
 from ..tomography.voxels import VoxelGrid
 from ..topography.dem import Dem
-from .sightlines import Sightlines
+from .sightlines import Sightlines, rays_of
 from .station_data import RockSeen, StationData
-from .volume_frame import VolumeFrame
 from .volume_ground import ground_below
 
 #: Half the length (m) over which the slope of ground along a ray is taken.
@@ -69,7 +68,7 @@ def terrain_changes(
         If the DEM cannot be read.
     """
     sparse = scipy_part("sparse")
-    rays = _rays(stations, lines.frame)
+    rays = rays_of(stations, lines.frame)
     crossings = _crossings(rays, rock, lines)
     ray, distance, sign = crossings
     place = rays.origin_m[ray] + distance[:, None] * rays.direction[ray]
@@ -108,15 +107,6 @@ def terrain_changes(
     )
     matrix.eliminate_zeros()
     return matrix, lattice
-
-
-def _rays(stations: Sequence[StationData], frame: VolumeFrame) -> Rays:
-    parts = []
-    for number, one in enumerate(stations):
-        place = (*frame.place(one.longitude, one.latitude), one.elevation_m)
-        lines = frame.lines(place, one.azimuth_deg, one.elevation_deg)
-        parts.append(Rays(*lines, np.full(len(one), number)))
-    return joined(parts)
 
 
 def _crossings(

@@ -1,7 +1,5 @@
 """Counts drawn by means that the product does not use, and what it makes of them."""
 
-import sys
-
 import numpy as np
 import pytest
 
@@ -12,9 +10,6 @@ from muysc_qgis.tomography.counting import CountPriors
 @pytest.fixture(scope="module")
 def scene():
     """Return a small world of three telescopes, its terrain, what they count, and the fits."""
-    from pathlib import Path
-
-    sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
     from tools import count_experiments, count_world
     from tools.mountain_counts import Terrain
 
